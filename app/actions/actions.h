@@ -30,6 +30,7 @@ enum class ActionId : std::uint8_t {
   make_video,
   export_figure,
   export_center_lines,
+  export_cells,
   quit,
   undo,
   redo,

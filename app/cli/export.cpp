@@ -2,6 +2,7 @@
 // `mesecina export`: the geometry of layers as text.
 #include <fmt/core.h>
 #include <algorithm>
+#include <array>
 #include <vector>
 
 #include "app/cli/messages.h"
@@ -10,6 +11,7 @@
 #include "app/cli/progress.h"
 #include "app/cli/requests.h"
 #include "app/cli/session_settings.h"
+#include "app/export/cell_export.h"
 #include "app/export/geometry_export.h"
 #include "app/store/layer_text.h"
 #include "core/graph/registry.h"
@@ -48,9 +50,11 @@ std::span<const std::string_view> export_formats() {
 }
 
 Expected<void> run_export(const Registry& registry, const ExportRequest& request, Interruption& interruption) {
+  if (!request.cells.empty()) return run_cell_export(registry, request, interruption);
   if (!request.structure.empty() || !request.table.empty()) return run_table_export(registry, request, interruption);
   if (request.layer.empty())
-    return usage_error("export needs --layer (mesecina list layers), or --structure (mesecina list structures)");
+    return usage_error(
+        "export needs --layer (mesecina list layers), --structure (mesecina list structures) or --cells");
   const auto format = select_format(request.format);
   if (!format) return std::unexpected(format.error());
   const auto layers = select_layers(registry, request.layer);
@@ -63,6 +67,34 @@ Expected<void> run_export(const Registry& registry, const ExportRequest& request
   const auto out = compute_text(registry, input->file.data, **format, *layers, input->settings);
   if (!out) return std::unexpected(out.error());
   if (const std::string remark = remark_about(*out, **format); !remark.empty()) say(remark);
+  return write_output(request.output, out->text, interruption, {input->file.sources, request.force});
+}
+
+Expected<void> run_cell_export(const Registry& registry, const ExportRequest& request, Interruption& interruption) {
+  if (!request.layer.empty() || !request.structure.empty() || !request.table.empty())
+    return usage_error("export takes --layer, --structure or --cells, one of them");
+  constexpr std::array<std::string_view, 3> kRegions{"box", "hull", "outline"};
+  const auto region = std::ranges::find(kRegions, request.cells);
+  if (region == kRegions.end())
+    return usage_error("--cells expects " + one_of(kRegions) + ", not " + in_quotes(request.cells));
+  if (std::ranges::find(cell_formats(), request.format) == cell_formats().end())
+    return usage_error("cells are written as " + one_of(cell_formats()) + ", not " + in_quotes(request.format));
+  if (auto good = check_output(request.output); !good) return good;
+  const auto input = read_source(registry, request.source);
+  if (!input) return std::unexpected(input.error());
+
+  Expected<CellText> out;
+  {
+    Progress progress;
+    JobControl job;
+    out = compute_cell_text(registry, input->file.data, static_cast<CellRegion>(region - kRegions.begin()),
+                            request.format, job, [&](std::string_view task) { progress.show(task, 0.0); });
+  }
+  if (!out) return std::unexpected(out.error());
+  if (out->off_earth != 0)
+    say(fmt::format("{} left out that {} beyond the poles or around the Earth",
+                    out->off_earth == 1 ? "1 cell is" : fmt::format("{} cells are", out->off_earth),
+                    out->off_earth == 1 ? "reaches" : "reach"));
   return write_output(request.output, out->text, interruption, {input->file.sources, request.force});
 }
 

@@ -136,6 +136,11 @@ void describe_export(const Registry& registry, CLI::App& app, ExportRequest& to)
       "by commas, or all");
   exported->add_option("--structure", to.structure,
                        "Structure id (mesecina list structures): a table of it is written instead, as csv or npy");
+  exported->add_option(
+      "--cells", to.cells,
+      "The Voronoi cells of the samples are written instead, as polygons in geojson or wkt, as far as\n"
+      "box: that of the samples, a tenth wider on each side; hull: their convex hull;\n"
+      "outline: what the curves of FILE enclose, where points beside the curves have the cells");
   exported->add_option("--table", to.table, "Which table of the structure, if it has several");
   exported
       ->add_option(

@@ -110,12 +110,15 @@ struct ExportRequest {
   Source source;
   std::string layer;
   std::string structure;  ///< instead of a layer
+  std::string cells;      ///< "box", "hull" or "outline", instead of a layer; empty: none
   std::string table;      ///< table of the structure
   std::string format;
   std::string output;
   bool force = false;
 };
 Expected<void> run_export(const Registry& registry, const ExportRequest& request, Interruption& interruption);
+/// The same for Voronoi cells.
+Expected<void> run_cell_export(const Registry& registry, const ExportRequest& request, Interruption& interruption);
 /// The same for a table of a structure.
 Expected<void> run_table_export(const Registry& registry, const ExportRequest& request, Interruption& interruption);
 

@@ -25,6 +25,7 @@ constexpr auto kSynonyms = std::to_array<Synonyms>({
     {"record", "film movie capture frames screencast animation"},
     {"make-video", "film movie mp4 animation gif ffmpeg screencast"},
     {"export-figure", "print pdf svg eps postscript tikz latex ipe paper publication vector image save"},
+    {"export-cells", "thiessen polygon dirichlet region area gis catchment save"},
     {"export-center-lines", "centerline midline skeleton gis width river road tool path save"},
     {"quit", "exit close"},
     {"delete", "remove erase clear"},

@@ -6,6 +6,7 @@
 #include <new>
 #include <utility>
 
+#include "app/export/cell_export.h"
 #include "app/export/geometry_export.h"
 #include "app/insight/center_line_run.h"
 #include "app/model/record_settings.h"
@@ -37,6 +38,7 @@ FigureFlow::~FigureFlow() {
 void FigureFlow::bind(ActionBindings& actions) {
   actions.bind(ActionId::export_figure, {[this] { open(); }});
   actions.bind(ActionId::export_center_lines, {[this] { ask_center_lines(); }});
+  actions.bind(ActionId::export_cells, {[this] { ask_cells(); }});
 }
 
 void FigureFlow::open() {
@@ -182,6 +184,42 @@ void FigureFlow::write_center_lines(const std::filesystem::path& file) {
       return {file, std::unexpected(Error{ErrorCode::cancelled, "the export was stopped"})};
     } catch (const std::bad_alloc&) {
       return {file, std::unexpected(Error{ErrorCode::out_of_memory, "memory is not enough for these lines"})};
+    }
+  });
+}
+
+void FigureFlow::ask_cells() {
+  const auto save = [this](const std::filesystem::path& file) {
+    uses_.settings.last_folder = file.parent_path().string();
+    write_cells(file);
+  };
+  std::vector<std::string> extensions;
+  for (const std::string_view format : cell_formats()) extensions.push_back("." + std::string(format));
+  uses_.dialogs.browser.ask_save(uses_.folder(), document_name() + "-cells" + extensions.front(), save,
+                                 {.heading = "Export Voronoi cells", .extensions = extensions});
+}
+
+void FigureFlow::write_cells(const std::filesystem::path& file) {
+  const std::string extension = lower_case(file.extension().string());
+  const auto format = std::ranges::find_if(
+      cell_formats(), [&](std::string_view name) { return extension == "." + std::string(name); });
+  if (format == cell_formats().end()) {
+    uses_.messages.problem("The name of the file ends neither in .geojson nor in .wkt");
+    return;
+  }
+  writing_geometry_.begin([registry = uses_.work.live_registry().share(), file, data = data_of(uses_.work.document()),
+                           format = *format](const std::stop_token& stop) -> WrittenGeometry {
+    try {
+      JobControl job(stop);
+      const auto text = compute_cell_text(*registry, data, usual_region_of(data), format, job);
+      if (!text) return {file, std::unexpected(text.error())};
+      if (auto written = write_file_atomically(file, text->text); !written)
+        return {file, std::unexpected(written.error())};
+      return {file, text->off_earth == 0 ? std::string() : "cells beyond the poles or around the Earth are left out"};
+    } catch (const Cancelled&) {
+      return {file, std::unexpected(Error{ErrorCode::cancelled, "the export was stopped"})};
+    } catch (const std::bad_alloc&) {
+      return {file, std::unexpected(Error{ErrorCode::out_of_memory, "memory is not enough for these cells"})};
     }
   });
 }

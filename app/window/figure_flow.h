@@ -43,6 +43,7 @@ class FigureFlow {
   void ask_geometry(std::vector<LayerIndex> layers, const LayerTextFormat& format);
   /// Asks for a file for the centre lines of the shapes; its extension chooses the format.
   void ask_center_lines();
+  void ask_cells();
   /// Asks for a file for the lesson, which its extension gives a format.
   void ask_lesson();
   LessonExport& lesson() { return lesson_; }
@@ -59,6 +60,7 @@ class FigureFlow {
   void write_geometry(const std::filesystem::path& file, const std::vector<LayerIndex>& layers,
                       const LayerTextFormat& format);
   void write_center_lines(const std::filesystem::path& file);
+  void write_cells(const std::filesystem::path& file);
   void take_geometry();
   void take_lesson();
   std::string document_name() const;

@@ -30,6 +30,14 @@ std::string exported(const std::string& file, const std::string& layer, const st
   return result.out;
 }
 
+/// The output of other options, whatever is said beside it.
+std::string exported_with(const std::vector<std::string>& words, const std::string& input) {
+  const RunResult result = run(words, {.input = input});
+  INFO(result.err);
+  REQUIRE(result.exit_code == 0);
+  return result.out;
+}
+
 /// Twice the signed area of a closed ring of positions.
 double doubled_area(const Json& ring) {
   double out = 0.0;
@@ -352,4 +360,64 @@ TEST_CASE("areas of a union are polygons with holes, as large as the union") {
       run({"export", "-", "--layer", "delaunay", "--format", "wkt-areas"}, {.input = "0 0\n3 4\n"});
   CHECK(none.exit_code == 0);
   CHECK(none.err == "mesecina: 1 line is left out, because it branches or has free ends\n");
+}
+
+TEST_CASE("Voronoi cells are exported as polygons within a box, a hull or an outline") {
+  const auto cells_of = [](const std::string& file, const std::string& region, const std::string& input) {
+    return Json::parse(exported_with({"export", file, "--cells", region, "--format", "geojson"}, input))["features"];
+  };
+  const auto sum_of = [](const Json& cells) {
+    double out = 0.0;
+    for (const Json& cell : cells) out += cell["properties"]["area"].get<double>();
+    return out;
+  };
+  // The squares of a lattice of 3 by 2; the box is wider by 0.2.
+  const std::string lattice = "0 0\n1 0\n2 0\n0 1\n1 1\n2 1\n";
+  const Json box = cells_of("-", "box", lattice);
+  REQUIRE(box.size() == 6);
+  CHECK(sum_of(box) == Approx(2.4 * 1.4));
+  CHECK(box[4]["properties"]["sample"] == 4);
+  CHECK(box[4]["properties"]["center"] == Json::array({1.0, 1.0}));
+  CHECK(box[4]["geometry"]["type"] == "Polygon");
+  CHECK(box[4]["geometry"]["coordinates"][0].size() == 5);
+  CHECK(box[4]["properties"]["area"].get<double>() == Approx(0.7));
+  CHECK(sum_of(cells_of("-", "hull", lattice)) == Approx(2.0));
+
+  // Three wells, and a county with a lake between them and with one of them outside.
+  const std::string county = R"({"type":"FeatureCollection","features":[
+    {"type":"Feature","properties":{},"geometry":{"type":"Polygon","coordinates":
+      [[[0,0],[6,0],[6,4],[0,4],[0,0]],[[2,1],[2,3],[4,3],[4,1],[2,1]]]}},
+    {"type":"Feature","properties":{},"geometry":{"type":"MultiPoint","coordinates":[[3,-6],[3,0.5],[3,10.5]]}}]})";
+  const Json wells = Json::parse(
+      exported_with({"export", "-", "--cells", "outline", "--format", "geojson", "--degrees"}, county))["features"];
+  REQUIRE(wells.size() == 1);
+  CHECK(wells[0]["properties"]["sample"] == 1);
+  CHECK(wells[0]["properties"]["area"].get<double>() == Approx(20.0));
+  REQUIRE(wells[0]["geometry"]["type"] == "Polygon");
+  CHECK(wells[0]["geometry"]["coordinates"].size() == 2);
+
+  const std::string text = exported_with({"export", "-", "--cells", "box", "--format", "wkt"}, "3 4\n");
+  CHECK(exported_with({"export", "-", "--cells", "box", "--format", "wkt"}, "x y\n").empty());
+  CHECK(text == "POLYGON ((2 3,4 3,4 5,2 5,2 3))\n");
+}
+
+TEST_CASE("cells that cannot be are refused in one line") {
+  const auto refused = [](std::vector<std::string> words, const std::string& input, int code,
+                          const std::string& says) {
+    words.insert(words.begin(), {"export", "-"});
+    const RunResult result = run(words, {.input = input});
+    INFO(result.err);
+    CHECK(result.exit_code == code);
+    CHECK(result.out.empty());
+    CHECK(std::ranges::count(result.err, '\n') == 1);
+    CHECK_THAT(result.err, Catch::Contains(says));
+  };
+  refused({"--cells", "circle", "--format", "wkt"}, "0 0\n", 2, "box, hull or outline");
+  refused({"--cells", "box", "--format", "dxf"}, "0 0\n", 2, "geojson or wkt");
+  refused({"--cells", "box", "--layer", "curve", "--format", "wkt"}, "0 0\n", 2, "one of them");
+  refused({"--cells", "outline", "--format", "wkt"}, "0 0\n1 0\n", 2, "no outline");
+  refused({"--cells", "hull", "--format", "wkt"}, "0 0\n1 1\n2 2\n", 1, "on a line");
+  std::string ring;
+  for (int i = 0; i < 60000; ++i) ring += fmt::format("{} {}\n", std::cos(1e-4 * i), std::sin(1e-4 * i));
+  refused({"--cells", "hull", "--format", "wkt"}, ring, 1, "end at the box");
 }

@@ -305,7 +305,7 @@ TEST_CASE("a table that cannot be written is named") {
     return result.err;
   };
   CHECK(refused({"--format", "csv"}) ==
-        "mesecina: export needs --layer (mesecina list layers), or --structure (mesecina list structures)\n");
+        "mesecina: export needs --layer (mesecina list layers), --structure (mesecina list structures) or --cells\n");
   CHECK(refused({"--structure", "delauney", "--format", "csv"}) ==
         "mesecina: unknown structure \"delauney\"; did you mean delaunay? (mesecina list structures)\n");
   CHECK(refused({"--structure", "delaunay", "--format", "csv"}) ==

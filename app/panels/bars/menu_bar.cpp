@@ -62,6 +62,7 @@ void file_menu(const MenuBar& menu) {
   action_item(menu, ActionId::export_figure);
   geometry_menu(menu);
   action_item(menu, ActionId::export_center_lines);
+  action_item(menu, ActionId::export_cells);
   for (const ActionId id : {ActionId::snapshot, ActionId::copy_picture, ActionId::record, ActionId::make_video})
     action_item(menu, id);
   ImGui::Separator();
