@@ -26,9 +26,7 @@ namespace mes {
 
 /// A threshold halfway between two values, so that every pixel is on one side.
 struct Level {
-  int below = 127;  ///< the largest value below it, from 0 to 254
-
-  double value() const { return below + 0.5; }
+  int below = 127;  ///< the largest value below it, from 0 to 254; users know the threshold by this number
   friend bool operator==(Level, Level) = default;
 };
 

@@ -26,6 +26,12 @@ std::string number_of(std::size_t count, std::string_view one) {
   return fmt::format("{} {}{}", count, one, count == 1 ? "" : "s");
 }
 
+/// The threshold is the number that the user chooses, not the point halfway to the next value.
+std::string side_words(Level level, bool is_light) {
+  return is_light ? fmt::format("lighter than grey value {}", level.below)
+                  : fmt::format("of grey value {} or darker", level.below);
+}
+
 struct Sides {
   std::size_t dark = 0;  // number of dark pixels
   std::size_t light = 0;
@@ -173,8 +179,7 @@ Expected<Tracing> traced(Expected<Outlined> found, const GrayImage& image, const
   if (!found) return std::unexpected(std::move(found.error()));
   Tracing out = std::move(found->tracing);
   const PixelContours& contours = found->contours;
-  const std::string side =
-      fmt::format("{} than grey level {:.1f}", out.is_figure_light ? "lighter" : "darker", out.level.value());
+  const std::string side = side_words(out.level, out.is_figure_light);
   if (contours.kept.empty() && contours.specks == 0)
     return refused(ErrorCode::bad_input, "no figure stands out: nothing is " + side);
   if (contours.kept.empty())
@@ -304,8 +309,7 @@ std::string left_out_text(const TraceCounts& counts) {
 }
 
 std::string remark_of(const Tracing& tracing) {
-  std::string out = fmt::format("traced all pixels {} than grey level {:.1f}",
-                                tracing.is_figure_light ? "lighter" : "darker", tracing.level.value());
+  std::string out = "traced all pixels " + side_words(tracing.level, tracing.is_figure_light);
   if (tracing.counts.blur > 0.0)
     out += fmt::format(", blurred by {:.2g} pixels because of noise", tracing.counts.blur);
   const std::string left_out = left_out_text(tracing.counts);

@@ -44,8 +44,9 @@ TEST_CASE("a silhouette is samples of its outline") {
     CHECK(out["input"]["contours"] == 1);
     CHECK(out["layers"]["curve"]["length"].get<double>() == Approx(2 * std::numbers::pi * 60.0).epsilon(0.004));
     CHECK(out["diagnostics"]["theorem"] == "green");
-    CHECK(result.err == "mesecina: " + file + ": traced all pixels " + (is_dark ? "darker" : "lighter") +
-                            " than grey level 124.5; left out: 1 speck smaller than 16 square pixels\n");
+    CHECK(result.err == "mesecina: " + file + ": traced all pixels " +
+                            (is_dark ? "of grey value 124 or darker" : "lighter than grey value 124") +
+                            "; left out: 1 speck smaller than 16 square pixels\n");
     // By standard input too.
     const RunResult piped = run({"compute", "-", "--layers", "curve", "--no-timing"}, {.input = silhouette(is_dark)});
     CHECK(nlohmann::json::parse(piped.out)["layers"]["curve"] == out["layers"]["curve"]);
@@ -58,7 +59,7 @@ TEST_CASE("threshold, specks and side are chosen by options") {
   const RunResult all = compute(file, {"--specks", "0", "--threshold", "200"});
   REQUIRE(all.exit_code == 0);
   CHECK(nlohmann::json::parse(all.out)["input"]["contours"] == 2);
-  CHECK(all.err == "mesecina: " + file + ": traced all pixels lighter than grey level 200.5\n");
+  CHECK(all.err == "mesecina: " + file + ": traced all pixels lighter than grey value 200\n");
   const RunResult around = compute(file, {"--figure-side", "dark"});
   REQUIRE(around.exit_code == 0);
   CHECK_THAT(around.err, Catch::Contains("darker") && Catch::Contains("1 hole"));

@@ -81,7 +81,7 @@ TEST_CASE("outlines are those of a reduced picture, and samples those of the fil
   CHECK(samples->data.contours.size() == 1);
   CHECK(samples->data.positions.size() >= 400);
   for (const Vec2 p : samples->data.positions) CHECK(std::abs(distance(p, {550.5, 549.5}) - 275.0) < 0.5);
-  CHECK_THAT(samples->remark, Catch::Contains("traced all pixels darker than grey level 124.5; left out: 1 hole"));
+  CHECK_THAT(samples->remark, Catch::Contains("traced all pixels of grey value 124 or darker; left out: 1 hole"));
   CHECK_FALSE(desk.is_tracing());
   // The whole picture is asked for the last request, too.
   for (desk.follow(); desk.is_busy(); desk.follow()) waited.woken.acquire();

@@ -262,9 +262,8 @@ TEST_CASE("specks and pinholes are left out and counted") {
   CHECK(found.counts.specks == 3);
   CHECK(found.counts.pinholes == 1);
   CHECK(found.speck_size == 16.0);
-  CHECK(
-      remark_of(found) ==
-      "traced all pixels lighter than grey level 127.5; left out: 3 specks and 1 hole smaller than 16 square pixels");
+  CHECK(remark_of(found) ==
+        "traced all pixels lighter than grey value 127; left out: 3 specks and 1 hole smaller than 16 square pixels");
   const Tracing more = traced(image, {.specks = 5.0});
   CHECK(more.curves.curves.size() == 3);
   CHECK(more.counts.specks == 2);
@@ -323,12 +322,11 @@ TEST_CASE("a picture without a figure is refused in one line") {
   };
   const GrayImage gray{30, 30, std::vector<std::uint8_t>(900, 77)};
   CHECK(refusal(gray) == "no figure stands out: every pixel has the grey value 77");
-  CHECK(refusal(gray, {.threshold = 100}) == "no figure stands out: nothing is lighter than grey level 100.5");
+  CHECK(refusal(gray, {.threshold = 100}) == "no figure stands out: nothing is lighter than grey value 100");
   GrayImage dot = gray;
   dot.values[300] = dot.values[301] = 200;
-  CHECK(
-      refusal(dot) ==
-      "no figure stands out: there are only specks lighter than grey level 138.5, the largest of 1.5 square pixels");
+  CHECK(refusal(dot) ==
+        "no figure stands out: there are only specks lighter than grey value 138, the largest of 1.5 square pixels");
   // In a picture that was reduced to a quarter.
   CHECK_THAT(refusal(dot, {.pixel_area = 16.0}), Catch::EndsWith("the largest of 24 square pixels"));
   CHECK(trace(gray, {.threshold = 255}).error().code == ErrorCode::usage);

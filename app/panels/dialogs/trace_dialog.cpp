@@ -30,8 +30,8 @@ struct SideWord {
 };
 constexpr std::array kSides{
     SideWord{FigureSide::found, "Found", "Trace what the edge of the picture has less of"},
-    SideWord{FigureSide::dark, "Dark", "Pixels darker than the threshold"},
-    SideWord{FigureSide::light, "Light", "Pixels lighter than the threshold"},
+    SideWord{FigureSide::dark, "Dark", "Pixels of the threshold's grey value or darker"},
+    SideWord{FigureSide::light, "Light", "Pixels lighter than the threshold's grey value"},
 };
 
 std::string count_with_noun(std::size_t count, const char* one) {
@@ -102,7 +102,7 @@ void TraceDialog::draw_choices(const Gui& gui) {
   const float width = ImGui::GetContentRegionAvail().x;
   ImGui::TextUnformatted("Threshold");
   slider(gui, "##threshold", threshold_, 0.0, 254.0, {.format = "%.0f", .is_whole = true, .width = width});
-  tooltip(gui, "Grey value, from black (0) to white (255), that separates the figure from the rest");
+  tooltip(gui, "Grey value, from black (0) to white (255): the largest one on the dark side");
   ImGui::TextUnformatted("Leave out specks below");
   slider(gui, "##specks", specks_, 1.0, kMostSpecks,
          {.format = "%.0f px", .is_logarithmic = true, .is_whole = true, .width = width});
