@@ -19,6 +19,11 @@ double luminance(Rgb color) {
   return 0.2126 * linear(color.r) + 0.7152 * linear(color.g) + 0.0722 * linear(color.b);
 }
 
+double contrast(Rgb a, Rgb b) {
+  const auto [dark, light] = std::minmax({luminance(a), luminance(b)});
+  return (light + 0.05) / (dark + 0.05);
+}
+
 }  // namespace
 
 Rgb canvas_background(const Settings& settings) {
@@ -28,8 +33,16 @@ Rgb canvas_background(const Settings& settings) {
 }
 
 bool is_dark(Rgb background) {
-  const double shade = luminance(background) + 0.05;
-  return (1.0 + 0.05) / shade > shade / 0.05;
+  return contrast(kWhiteCanvas, background) > contrast(kBlackCanvas, background);
+}
+
+bool is_faint(Rgb color, double opacity, Rgb canvas, Rgb surroundings) {
+  constexpr double kLeastContrast = 3.0;
+  const auto mixed = [opacity](std::uint8_t above, std::uint8_t below) {
+    return static_cast<std::uint8_t>(std::lround(below + std::clamp(opacity, 0.0, 1.0) * (above - below)));
+  };
+  const Rgb seen{mixed(color.r, canvas.r), mixed(color.g, canvas.g), mixed(color.b, canvas.b)};
+  return std::min(contrast(seen, canvas), contrast(seen, surroundings)) < kLeastContrast;
 }
 
 LayerStyle drawn_on(LayerStyle style, const std::optional<Rgb>& background) {

@@ -31,6 +31,10 @@ Rgb canvas_background(const Settings& settings);
 /// True if white text is more legible on it than black text, by the contrast ratio of WCAG 2.2.
 bool is_dark(Rgb background);
 
+/// True if a colour, drawn on the canvas, has less than 3 to 1 to it or to the surroundings, by the contrast ratio of
+/// WCAG 2.2: it cannot be told from them without an outline.
+bool is_faint(Rgb color, double opacity, Rgb canvas, Rgb surroundings);
+
 /// The style as it is drawn on a background. On a transparent one, whose surroundings are unknown, it does not change.
 LayerStyle drawn_on(LayerStyle style, const std::optional<Rgb>& background);
 

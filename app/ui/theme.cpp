@@ -160,4 +160,9 @@ ImU32 to_imgui(Rgb rgb, double opacity) {
   return IM_COL32(rgb.r, rgb.g, rgb.b, static_cast<int>(std::clamp(opacity, 0.0, 1.0) * 255.0 + 0.5));
 }
 
+Rgb to_rgb(ImU32 color) {
+  const auto channel = [color](unsigned shift) { return static_cast<std::uint8_t>(color >> shift & 0xFFU); };
+  return {channel(IM_COL32_R_SHIFT), channel(IM_COL32_G_SHIFT), channel(IM_COL32_B_SHIFT)};
+}
+
 }  // namespace mes

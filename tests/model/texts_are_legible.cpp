@@ -9,6 +9,7 @@
 
 #include "app/picture/canvas_look.h"
 #include "app/ui/theme.h"
+#include "tests/support/builtin_layers.h"
 
 using namespace mes;
 
@@ -152,4 +153,29 @@ TEST_CASE("icons and lights are seen in every theme, and so is what cannot be us
 TEST_CASE("hints on the empty canvas are legible on every canvas that is offered") {
   for (const Rgb canvas : {kWhiteCanvas, kLightGreyCanvas, kDarkCanvas, kBlackCanvas})
     CHECK(contrast(channels_of(to_imgui(mark_color(canvas))), channels_of(to_imgui(canvas))) >= kText);
+}
+
+TEST_CASE("the sample of a layer's style has an outline where its colour is not seen by itself") {
+  int with_outline = 0;
+  int without_outline = 0;
+  for (const auto& [name, theme] : all_looks())
+    for (const Rgb canvas : {kWhiteCanvas, kLightGreyCanvas, kDarkCanvas, kBlackCanvas})
+      for (const LayerDescriptor& layer : layer_descriptors()) {
+        INFO(name << ": " << layer.id);
+        const LayerStyle style = drawn_on(layer.style, canvas);
+        const Channels below = channels_of(to_imgui(canvas));
+        const Channels panel = channels_of(theme.panel);
+        const Channels seen = laid_over(to_imgui(style.color), style.opacity, below);
+        const double least = std::min(contrast(seen, below), contrast(seen, panel));
+        // The colours on the screen are rounded to 8 bits.
+        constexpr double kRounding = 0.05;
+        const bool outline = is_faint(style.color, style.opacity, canvas, to_rgb(theme.panel));
+        if (least < kIcon - kRounding) CHECK(outline);
+        if (least > kIcon + kRounding) CHECK_FALSE(outline);
+        (outline ? with_outline : without_outline) += 1;
+      }
+  CHECK(with_outline > 0);
+  CHECK(without_outline > 0);
+  // The pale grey edges that cannot be told from a light panel.
+  CHECK(is_faint(palette::grey, 0.6, kWhiteCanvas, to_rgb(theme_colors(Theme::light, false).panel)));
 }

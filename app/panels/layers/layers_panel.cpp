@@ -12,6 +12,7 @@
 
 #include "app/editing/sample_spacing.h"
 #include "app/layers/statistics_text.h"
+#include "app/picture/canvas_look.h"
 #include "app/ui/icons.h"
 #include "app/ui/slider.h"
 #include "app/ui/theme.h"
@@ -207,7 +208,9 @@ void LayersPanel::draw_swatch(LayerIndex layer, ImVec2 at, ImVec2 size) const {
     list.AddCircleFilled(
         middle, std::clamp(0.5F * static_cast<float>(style.point_size_px) * unit, 1.5F, 0.42F * size.y), color);
   list.PopClipRect();
-  list.AddRect(at, end, gui_.colors().border, 3 * unit);
+  const ThemeColors& colors = gui_.colors();
+  const bool needs_outline = !is_mapped && is_faint(style.color, style.opacity, canvas, to_rgb(colors.panel));
+  list.AddRect(at, end, needs_outline ? colors.text_faint : colors.border, 3 * unit);
 }
 
 void LayersPanel::draw_style_popup(LayerIndex layer) {
