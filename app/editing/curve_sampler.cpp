@@ -130,11 +130,14 @@ Expected<void> CurveSampler::show(const Taken& taken) {
   return {};
 }
 
-std::size_t CurveSampler::sample_count() {
+std::string CurveSampler::samples_text() {
   const Document& document = editor_.document();
   if (std::exchange(counted_at_, document.revision()) != document.revision())
     sample_count_ = document.samples_of_source().size();
-  return sample_count_;
+  const std::size_t all = document.sample_count();
+  const char* const noun = all == 1 ? "sample" : "samples";
+  if (sample_count_ == all) return fmt::format("{} {}", all, noun);
+  return fmt::format("{} of {} {} {} of the curves", sample_count_, all, noun, sample_count_ == 1 ? "is" : "are");
 }
 
 std::string CurveSampler::remark() const {

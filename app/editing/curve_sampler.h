@@ -51,8 +51,8 @@ class CurveSampler {
 
   /// A remark on the samples; empty if there is none, or the document has changed since.
   std::string remark() const;
-  /// The number of samples left of those that were taken.
-  std::size_t sample_count();
+  /// "40 samples" while all were taken from the curves and are left; otherwise "30 of 37 samples are of the curves".
+  std::string samples_text();
   /// The corners of the curves, found once per set of curves; empty if there are no curves.
   const std::vector<CurveCorner>& corners();
   /// Writes the angle beside each corner that has none yet, as one step of undo. Error: too many annotations.

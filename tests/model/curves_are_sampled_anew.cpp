@@ -110,12 +110,16 @@ TEST_CASE("while a control is held all samplings are one step, and two controls 
 TEST_CASE("samples set by hand stay, and those of the curves go, moved or not") {
   SamplerBench bench;
   Editor& editor = bench.editor;
+  CHECK(bench.sampler.samples_text() == "40 samples");
   REQUIRE(editor.insert(std::array{Vec2{0.5, 0.5}}, "Insert"));
+  CHECK(bench.sampler.samples_text() == "40 of 41 samples are of the curves");
   const SampleId first = editor.document().id(editor.document().slots_in_input_order().front());
   REQUIRE(editor.move(std::array{std::pair(first, Vec2{9, 9})}, "Move"));
   const SampleId second = editor.document().id(editor.document().slots_in_input_order()[1]);
   REQUIRE(editor.remove(std::array{second}, "Delete"));
+  CHECK(bench.sampler.samples_text() == "39 of 40 samples are of the curves");
   bench.want(12, false);
+  CHECK(bench.sampler.samples_text() == "12 of 13 samples are of the curves");
   std::vector<Vec2> now = positions_of(editor.document());
   REQUIRE(now.size() == 13);
   CHECK(std::ranges::count(now, Vec2{0.5, 0.5}) == 1);

@@ -175,8 +175,7 @@ void CurvesPanel::draw_jitter(SamplingRequest& request) {
 void CurvesPanel::draw_facts() {
   ImGui::Dummy({1, 2 * gui_.unit()});
   const std::string remark = sampler_.remark();
-  quiet_paragraph(count_words(sampler_.source()->count, "sample", "samples") +
-                  (sampler_.is_busy() ? ", being sampled again ..." : ""));
+  quiet_paragraph(sampler_.samples_text() + (sampler_.is_busy() ? ", being sampled again ..." : ""));
   if (!remark.empty()) quiet_paragraph(remark);
 }
 
