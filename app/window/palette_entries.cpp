@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "app/actions/menus.h"
 #include "app/layers/layer_topics.h"
 #include "app/layers/parameter_words.h"
 #include "app/layers/synonyms.h"
@@ -20,6 +21,9 @@ bool is_series(ActionId id) {
   return id >= ActionId::first_bundle && id <= ActionId::last_bundle;
 }
 
+// Some panels are in other menus, too.
+constexpr std::string_view kPanelMenu = "View > Panels";
+
 void add_actions(const Panels::Uses& uses, std::span<const SidePage> panels, Entries& out) {
   const ActionBindings& actions = uses.actions;
   for (const ActionDescriptor& action : action_descriptors()) {
@@ -32,6 +36,7 @@ void add_actions(const Panels::Uses& uses, std::span<const SidePage> panels, Ent
                    .explanation = action.tooltip,
                    .more = action.public_id,
                    .words = synonyms_of(action.public_id),
+                   .place = std::string(is_panel ? kPanelMenu : menu_of(action.id)),
                    .is_enabled = actions.is_enabled(action.id),
                    .missing = actions.missing(action.id),
                    .is_checked = actions.is_checked(action.id),

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <map>
 #include <set>
 
 #include "app/actions/action_bindings.h"
 #include "app/actions/actions.h"
+#include "app/actions/menus.h"
 
 using namespace mes;
 
@@ -20,6 +22,26 @@ TEST_CASE("the table is in the order of the ids and complete") {
     CHECK(actions[i].tooltip.back() != '.');
     for (const char c : actions[i].public_id) CHECK(((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-'));
   }
+}
+
+TEST_CASE("every action is in a menu, but for those of keys alone, and once in each") {
+  const auto is_of_keys_alone = [](ActionId id) {
+    return (id >= ActionId::first_nudge && id <= ActionId::last_nudge) ||
+           (id >= ActionId::first_bundle && id <= ActionId::last_bundle) || id == ActionId::evolution_previous ||
+           id == ActionId::evolution_next;
+  };
+  for (const ActionDescriptor& action : action_descriptors()) {
+    INFO(action.public_id);
+    // Its button is in the panel of the experiments.
+    if (action.id == ActionId::add_experiment) continue;
+    CHECK(menu_of(action.id).empty() == is_of_keys_alone(action.id));
+  }
+  std::set<std::pair<std::string_view, ActionId>> seen;
+  for (const MenuPart& part : menu_parts())
+    for (const ActionId id : part.actions) CHECK(seen.emplace(part.path, id).second);
+  CHECK(menu_of(ActionId::full_screen) == "View");
+  CHECK(menu_of(ActionId::toggle_key) == "View > Legend and scale");
+  CHECK(std::ranges::count(actions_in_menu("Edit > Arrange", 3), ActionId::add_circle) == 1);
 }
 
 TEST_CASE("every key is readable, written in its one spelling, and no two actions compete for it") {

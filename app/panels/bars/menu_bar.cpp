@@ -6,12 +6,11 @@
 #include <filesystem>
 #include <glm/gtc/type_ptr.hpp>
 
+#include "app/actions/menus.h"
 #include "app/panels/bars/interface_sizes.h"
 #include "app/picture/canvas_look.h"
 #include "app/ui/theme.h"
 #include "app/ui/widgets.h"
-#include "core/document/contour_edit.h"
-#include "core/edit/arrangement.h"
 #include "render/convert.h"
 
 namespace mes {
@@ -19,6 +18,12 @@ namespace {
 
 void action_item(const MenuBar& menu, ActionId id, const std::string& label = {}) {
   mes::action_item(menu.gui, menu.actions, id, label);
+}
+
+// A window that cannot do something lacks its row.
+void action_items(const MenuBar& menu, std::string_view path, std::size_t part = 0) {
+  for (const ActionId id : actions_in_menu(path, part))
+    if (menu.actions.is_bound(id)) action_item(menu, id);
 }
 
 void recent_files_menu(const MenuBar& menu) {
@@ -48,45 +53,33 @@ void geometry_menu(const MenuBar& menu) {
 }
 
 void file_menu(const MenuBar& menu) {
-  action_item(menu, ActionId::new_document);
-  action_item(menu, ActionId::open);
+  action_items(menu, "File", 0);
   recent_files_menu(menu);
-  action_item(menu, ActionId::keep_degrees);
+  action_items(menu, "File", 1);
   ImGui::Separator();
-  action_item(menu, ActionId::save);
-  action_item(menu, ActionId::save_as);
-  if (menu.actions.is_bound(ActionId::share)) action_item(menu, ActionId::share);
+  action_items(menu, "File", 2);
   ImGui::Separator();
-  action_item(menu, ActionId::picture_to_samples);
-  action_item(menu, ActionId::trace_picture);
-  action_item(menu, ActionId::export_figure);
+  action_items(menu, "File", 3);
   geometry_menu(menu);
-  action_item(menu, ActionId::export_center_lines);
-  action_item(menu, ActionId::export_cells);
-  for (const ActionId id : {ActionId::snapshot, ActionId::copy_picture, ActionId::record, ActionId::make_video})
-    action_item(menu, id);
+  action_items(menu, "File", 4);
   ImGui::Separator();
-  action_item(menu, ActionId::quit);
+  action_items(menu, "File", 5);
 }
 
 void arrange_menu(const MenuBar& menu) {
   if (!ImGui::BeginMenu("Arrange")) return;
-  for (const ActionId id : {ActionId::mirror_x, ActionId::mirror_y}) action_item(menu, id);
-  ImGui::Separator();
-  for (std::size_t i = 0; i < kAlignments; ++i) action_item(menu, nth(ActionId::first_alignment, i));
-  ImGui::Separator();
-  for (const ActionId id : {ActionId::distribute_x, ActionId::distribute_y}) action_item(menu, id);
-  ImGui::Separator();
-  for (const ActionId id : {ActionId::put_on_line, ActionId::put_on_circle, ActionId::add_circle})
-    action_item(menu, id);
+  for (std::size_t part = 0; part < 4; ++part) {
+    if (part != 0) ImGui::Separator();
+    action_items(menu, "Edit > Arrange", part);
+  }
   ImGui::EndMenu();
 }
 
 void contours_menu(const MenuBar& menu) {
   if (!ImGui::BeginMenu("Contours")) return;
-  for (std::size_t i = 0; i < kContourChanges; ++i) action_item(menu, nth(ActionId::first_contour_change, i));
+  action_items(menu, "Edit > Contours", 0);
   ImGui::Separator();
-  action_item(menu, ActionId::contours_along_crust);
+  action_items(menu, "Edit > Contours", 1);
   ImGui::EndMenu();
 }
 
@@ -97,23 +90,17 @@ void edit_menu(const MenuBar& menu) {
   action_item(menu, ActionId::undo, with_step("Undo", menu.editor.undo_name()));
   action_item(menu, ActionId::redo, with_step("Redo", menu.editor.redo_name()));
   ImGui::Separator();
-  for (const ActionId id :
-       {ActionId::copy, ActionId::cut, ActionId::paste, ActionId::duplicate, ActionId::delete_selection})
-    action_item(menu, id);
+  action_items(menu, "Edit", 1);
   ImGui::Separator();
-  for (const ActionId id :
-       {ActionId::select_all, ActionId::invert_selection, ActionId::select_sources, ActionId::deselect})
-    action_item(menu, id);
-  action_item(menu, ActionId::canvas_menu);
+  action_items(menu, "Edit", 2);
   if (ImGui::BeginMenu("Along the curve")) {
-    for (const ActionId id : {ActionId::select_curve, ActionId::grow_selection, ActionId::shrink_selection})
-      action_item(menu, id);
+    action_items(menu, "Edit > Along the curve", 0);
     ImGui::Separator();
-    for (const ActionId id : {ActionId::repair_sampling, ActionId::decimate_sampling}) action_item(menu, id);
+    action_items(menu, "Edit > Along the curve", 1);
     ImGui::EndMenu();
   }
   ImGui::Separator();
-  for (const ActionId id : {ActionId::toggle_selection, ActionId::toggle_curves}) action_item(menu, id);
+  action_items(menu, "Edit", 3);
   arrange_menu(menu);
   contours_menu(menu);
 }
@@ -158,47 +145,32 @@ void canvas_menu(const MenuBar& menu) {
 }
 
 void view_menu(const MenuBar& menu) {
-  for (const ActionId id :
-       {ActionId::fit, ActionId::fit_selection, ActionId::previous_view, ActionId::zoom_in, ActionId::zoom_out})
-    action_item(menu, id);
+  action_items(menu, "View", 0);
   ImGui::Separator();
   if (ImGui::BeginMenu("Panels")) {
-    for (const ActionId id : {ActionId::toggle_layers, ActionId::toggle_bundles, ActionId::toggle_selection,
-                              ActionId::toggle_curves, ActionId::toggle_sampling, ActionId::toggle_branches,
-                              ActionId::toggle_persistence, ActionId::toggle_statistics, ActionId::toggle_parameters,
-                              ActionId::toggle_experiments, ActionId::toggle_lesson, ActionId::toggle_log})
-      action_item(menu, id);
+    action_items(menu, "View > Panels", 0);
     ImGui::Separator();
-    action_item(menu, ActionId::toggle_panels);
+    action_items(menu, "View > Panels", 1);
     ImGui::EndMenu();
   }
   if (ImGui::BeginMenu("Legend and scale")) {
-    for (const ActionId id : {ActionId::toggle_legend, ActionId::toggle_key, ActionId::toggle_scale_bar,
-                              ActionId::toggle_axes, ActionId::toggle_grid, ActionId::toggle_annotations})
-      action_item(menu, id);
+    action_items(menu, "View > Legend and scale", 0);
     ImGui::Separator();
-    action_item(menu, ActionId::put_marks_back);
+    action_items(menu, "View > Legend and scale", 1);
     ImGui::EndMenu();
   }
   ImGui::Separator();
   if (ImGui::BeginMenu("Bundles")) {
-    for (const ActionId id :
-         {ActionId::save_bundle, ActionId::import_bundles, ActionId::export_bundles, ActionId::undo_bundles})
-      action_item(menu, id);
+    action_items(menu, "View > Bundles", 0);
     ImGui::Separator();
-    for (const ActionId id : {ActionId::balls_inner, ActionId::balls_polar, ActionId::balls_own})
-      action_item(menu, id);
+    action_items(menu, "View > Bundles", 1);
     ImGui::Separator();
-    for (const ActionId id :
-         {ActionId::next_bundle, ActionId::previous_bundle, ActionId::presenter_mode, ActionId::full_screen})
-      action_item(menu, id);
+    action_items(menu, "View > Bundles", 2);
     ImGui::EndMenu();
   }
-  for (const ActionId id : {ActionId::toggle_theme, ActionId::projector_mode}) action_item(menu, id);
+  action_items(menu, "View", 1);
   if (ImGui::BeginMenu("Canvas")) {
-    for (const ActionId id :
-         {ActionId::add_pane, ActionId::close_panes, ActionId::toggle_free_cameras, ActionId::toggle_differences})
-      action_item(menu, id);
+    action_items(menu, "View > Canvas");
     ImGui::Separator();
     canvas_menu(menu);
     ImGui::EndMenu();
@@ -223,18 +195,13 @@ void evolution_menu(const MenuBar& menu) {
     tooltip(menu.gui, evolution->descriptor.tooltip);
   }
   ImGui::Separator();
-  for (const ActionId id : {ActionId::evolution_forward, ActionId::evolution_back, ActionId::evolution_play,
-                            ActionId::evolution_play_back, ActionId::evolution_stop, ActionId::evolution_first})
-    action_item(menu, id);
+  action_items(menu, "Evolution", 0);
   ImGui::Separator();
-  action_item(menu, ActionId::toggle_evolution);
+  action_items(menu, "Evolution", 1);
 }
 
 void shapes_menu(const MenuBar& menu) {
-  action_item(menu, ActionId::make_shape);
-  action_item(menu, ActionId::write_text);
-  for (const ActionId id : {ActionId::curves_of_samples, ActionId::mark_corners, ActionId::toggle_curves})
-    action_item(menu, id);
+  action_items(menu, "Shapes");
   if (!menu.shapes.empty()) ImGui::Separator();
   for (const SampleShape& shape : menu.shapes) {
     if (ImGui::MenuItem(shape.name.c_str())) menu.open_shape(shape);
@@ -243,9 +210,7 @@ void shapes_menu(const MenuBar& menu) {
 }
 
 void lessons_menu(const MenuBar& menu) {
-  for (const ActionId id :
-       {ActionId::present_lesson, ActionId::export_lesson, ActionId::mark_step, ActionId::toggle_lesson})
-    action_item(menu, id);
+  action_items(menu, "Help > Lessons");
   if (!menu.lessons.empty()) ImGui::Separator();
   for (const ShippedLesson& lesson : menu.lessons) {
     if (ImGui::MenuItem(lesson.title.c_str())) menu.open_lesson(lesson);
@@ -275,34 +240,26 @@ float MenuBar::draw() const {
     ImGui::EndMenu();
   }
   if (ImGui::BeginMenu("Tools")) {
-    for (const ActionId id :
-         {ActionId::tool_select, ActionId::tool_insert, ActionId::tool_spray, ActionId::tool_ball})
-      action_item(*this, id);
+    action_items(*this, "Tools", 0);
     if (ImGui::BeginMenu("Brush")) {
-      for (const ActionId id :
-           {ActionId::tool_brush, ActionId::brush_erase, ActionId::brush_thin, ActionId::brush_refine})
-        action_item(*this, id);
+      action_items(*this, "Tools > Brush");
       ImGui::EndMenu();
     }
-    for (const ActionId id : {ActionId::tool_measure, ActionId::tool_annotate}) action_item(*this, id);
+    action_items(*this, "Tools", 1);
     ImGui::Separator();
-    for (const ActionId id : {ActionId::keep_measurement, ActionId::keep_highlight}) action_item(*this, id);
+    action_items(*this, "Tools", 2);
     ImGui::Separator();
-    action_item(*this, ActionId::toggle_snap);
+    action_items(*this, "Tools", 3);
     snap_menu(*this);
-    for (const ActionId id : {ActionId::toggle_handles, ActionId::toggle_insertion_preview}) action_item(*this, id);
+    action_items(*this, "Tools", 4);
     ImGui::Separator();
     if (ImGui::BeginMenu("Number type")) {
-      for (const ActionId id : {ActionId::precision_naive, ActionId::precision_fast, ActionId::precision_exact,
-                                ActionId::precision_exact_roots})
-        action_item(*this, id);
+      action_items(*this, "Tools > Number type");
       ImGui::EndMenu();
     }
-    for (const ActionId id : {ActionId::toggle_union_shortcut, ActionId::toggle_pole_propagation})
-      action_item(*this, id);
+    action_items(*this, "Tools", 5);
     ImGui::Separator();
-    for (const ActionId id : {ActionId::hold_update, ActionId::cancel_computation, ActionId::resume_computation})
-      action_item(*this, id);
+    action_items(*this, "Tools", 6);
     ImGui::EndMenu();
   }
   if (ImGui::BeginMenu("Shapes")) {
@@ -310,16 +267,14 @@ float MenuBar::draw() const {
     ImGui::EndMenu();
   }
   if (ImGui::BeginMenu("Help")) {
-    action_item(*this, ActionId::command_palette);
-    action_item(*this, ActionId::help);
-    action_item(*this, ActionId::manual);
+    action_items(*this, "Help", 0);
     if (ImGui::BeginMenu("Lessons")) {
       lessons_menu(*this);
       ImGui::EndMenu();
     }
-    action_item(*this, ActionId::demo);
+    action_items(*this, "Help", 1);
     ImGui::Separator();
-    for (const ActionId id : {ActionId::classic_keys, ActionId::write_keys}) action_item(*this, id);
+    action_items(*this, "Help", 2);
     ImGui::Separator();
     ImGui::MenuItem("Mesecina " MESECINA_VERSION, nullptr, false, false);
     ImGui::EndMenu();

@@ -2,6 +2,7 @@
 #include "app/panels/dialogs/command_palette.h"
 
 #include <algorithm>
+#include <cfloat>
 #include <cmath>
 #include <utility>
 
@@ -121,7 +122,19 @@ bool CommandPalette::draw_row(const Gui& gui, std::size_t row) {
                  2 * unit);
     end -= 20 * unit;
   }
-  draw_action_name(gui, entry, hit.letters, {at.x + kKindWidth * unit, text_y}, end, color);
+  const float name_at = at.x + kKindWidth * unit;
+  const float name_end =
+      name_at + gui.bold()->CalcTextSizeA(ImGui::GetFontSize(), FLT_MAX, 0.0F, entry.name.c_str()).x;
+  // The name needs the room first.
+  ImGui::PushFont(gui.small());
+  const float place = ImGui::CalcTextSize(entry.place.c_str()).x;
+  if (!entry.place.empty() && name_end + 12 * unit + place <= end) {
+    end -= place;
+    list.AddText({end, at.y + 0.5F * (height - ImGui::GetFontSize())}, colors.text_quiet, entry.place.c_str());
+    end -= 12 * unit;
+  }
+  ImGui::PopFont();
+  draw_action_name(gui, entry, hit.letters, {name_at, text_y}, end, color);
   return is_clicked;
 }
 
