@@ -118,7 +118,7 @@ std::optional<fs::path> FileBrowser::take_desktop_answer() {
   if (!is_folder) enter(answer->file.parent_path());
   name_ = is_folder ? answer->file.string() : answer->file.filename().string();
   // The user has confirmed overwriting only for the name as it was chosen.
-  const bool is_agreed = is_saving_ && !is_folder && answer->file.has_extension();
+  const bool is_agreed = is_saving_ && !is_folder && has_fitting_extension(answer->file);
   std::optional<fs::path> out = is_agreed ? std::optional(answer->file) : accept();
   followed_name_ = name_;
   return out;
@@ -230,6 +230,11 @@ void FileBrowser::press(const KeyChord& chord) {
     take_marked_name();
 }
 
+bool FileBrowser::has_fitting_extension(const fs::path& file) const {
+  if (purpose_.extensions.empty()) return file.has_extension();
+  return std::ranges::count(purpose_.extensions, lower_case_extension(file.filename().string())) > 0;
+}
+
 std::optional<fs::path> FileBrowser::accept() {
   const FileList::Entry* const row = files_.marked_row();
   // A marked folder is opened, even when saving a file.
@@ -250,7 +255,7 @@ std::optional<fs::path> FileBrowser::accept() {
     trouble_ = "No such file: " + chosen.string();
     return std::nullopt;
   }
-  if (chosen.extension().empty()) chosen += extension_;
+  if (!has_fitting_extension(chosen)) chosen += extension_;
   if (!fs::is_directory(chosen.parent_path(), error)) {
     trouble_ = "No such folder: " + chosen.parent_path().string();
     return std::nullopt;

@@ -30,7 +30,8 @@ struct FilePurpose {
 ///  1. A folder is read once, when it is entered. An error is reported, not shown as an empty folder, until something
 ///     else is chosen.
 ///  2. Overwriting a file needs a confirmation.
-///  3. A name without an extension gets that of the proposed name.
+///  3. A name without an extension gets that of the proposed name. So does a name whose extension is none of the
+///     purpose's: "x.txt" is saved as "x.txt.pdf".
 ///  4. The keyboard is sufficient: arrows and Page keys mark a file, letters jump to one, Enter opens the marked one,
 ///     Alt+Up shows the parent folder.
 ///  5. After `use_desktop` the desktop's dialog is shown instead, if there is one; when it fails for the first time,
@@ -82,6 +83,8 @@ class FileBrowser final : public Dialog {
   void draw_path(const Gui& gui);
   void draw_entries(const Gui& gui, float height);
   bool draw_overwrite_question(const Gui& gui);
+  /// True if the name can be saved as it is; otherwise it gets the extension of the proposed name.
+  bool has_fitting_extension(const std::filesystem::path& file) const;
   /// Returns the content of the name field as a path; enters it if it is a folder.
   std::optional<std::filesystem::path> accept();
 

@@ -11,6 +11,7 @@
 #include "app/insight/center_line_run.h"
 #include "app/model/record_settings.h"
 #include "app/store/center_line_text.h"
+#include "core/base/assert.h"
 #include "core/base/lower_case.h"
 #include "core/io/files/atomic_file.h"
 
@@ -158,13 +159,9 @@ void FigureFlow::ask_center_lines() {
 }
 
 void FigureFlow::write_center_lines(const std::filesystem::path& file) {
-  const std::string extension = lower_case(file.extension().string());
-  const LineTextFormat* const format =
-      find_line_text_format(std::string_view(extension).substr(extension.empty() ? 0 : 1));
-  if (format == nullptr) {
-    uses_.messages.problem("The name of the file ends in none of .geojson, .wkt, .csv, .svg and .dxf");
-    return;
-  }
+  const std::string extension = lower_case_extension(file);
+  const LineTextFormat* const format = find_line_text_format(std::string_view(extension).substr(1));
+  MES_ASSERT(format != nullptr);  // the dialog returns names with the extensions that it was given
   writing_geometry_.begin([registry = uses_.work.live_registry().share(), file, data = data_of(uses_.work.document()),
                            format](const std::stop_token& stop) -> WrittenGeometry {
     try {

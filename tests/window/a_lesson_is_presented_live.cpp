@@ -236,4 +236,11 @@ TEST_CASE("a lesson is exported from the window, and Esc in its dialog leaves wi
   CHECK(page.starts_with("<!DOCTYPE html>"));
   CHECK(page.find("A taller roof") != std::string::npos);
   CHECK_FALSE(std::filesystem::exists(window.folder / "house.pdf"));
+  // The name is kept, whatever its ending.
+  static_cast<void>(ask());
+  window.screen.type_over((window.folder / "house.2.txt").string());
+  window.press("Return");
+  REQUIRE(eventually([&] { return std::filesystem::exists(window.folder / "house.2.txt.pdf"); }));
+  CHECK(bytes_of(window.folder / "house.2.txt.pdf").starts_with("%PDF"));
+  CHECK_FALSE(std::filesystem::exists(window.folder / "house.2.txt"));
 }
