@@ -137,9 +137,9 @@ void LessonPanel::draw_buttons() {
   if (!chosen) return;
   ImGui::SameLine(0, 8 * unit);
   ImGui::SetNextItemWidth(std::max(48 * unit, ImGui::GetContentRegionAvail().x));
-  double seconds = desk_.lesson().steps[*chosen].seconds;
+  double seconds = seconds_of(desk_.lesson().steps[*chosen]);
   if (number_field("##seconds", seconds, "%.3g s", NumberRange{0.0, kLongestLessonStep})) desk_.set_seconds(seconds);
-  tooltip(gui_, "Duration in a video; 0: long enough to read its caption");
+  tooltip(gui_, "Duration in a video; type 0 for the time that its caption takes to read");
 }
 
 }  // namespace mes
