@@ -109,7 +109,12 @@ PlacedLegend place_legend(std::span<const LegendEntry> entries, const MeasureTex
     const double width = around.room.width() - 2.0 * margin - bar;
     if (auto wide = with(layout_wide_legend(entries, measure, width / shrink, background))) return std::move(*wide);
   }
-  if (auto whole = at_most(around.room.height() - 2.0 * margin)) return std::move(*whole);
+  if (auto whole = at_most(around.room.height() - 2.0 * margin)) {
+    const Vec2 size = whole->size();
+    if (size.x * size.y > around.most_of_room * around.room.width() * around.room.height())
+      return {.lacks_room = true};
+    return std::move(*whole);
+  }
   // Only a scale bar can leave no free position.
   const double above = around.bar->low.y - around.room.low.y;
   const double beneath = around.room.high.y - around.bar->high.y;

@@ -13,6 +13,7 @@
 //     quarter of what it would hide in the best corner. Of both edges it takes the one that leaves the drawing larger.
 //  5. If no such position is free, the legend lists fewer layers and counts the others: as many as fit above or below
 //     the scale bar, or else one. If not even one layer has room, the legend is left out.
+//  6. The window leaves out a legend that would take more than a third of the room, whatever it lies on.
 //
 // Smallest use:
 //     const MarksPlace marks = place_of_marks(...);
@@ -51,6 +52,7 @@ struct LegendSurroundings {
   /// Returns how much of the drawing a box would hide; null: unknown.
   std::function<std::size_t(const Box2&)> hides{};
   bool keeps_letters = false;  ///< a small picture has a legend of the usual size
+  double most_of_room = 1.0;   ///< a legend that takes a larger share of the room is left out
   LegendStrip strip{};         ///< where the legend is then: at the right end, in several columns if it is below
 
   /// The number of these texts that the box covers, and the amount of drawing.

@@ -91,6 +91,22 @@ TEST_CASE("no legend overlaps the scale bar, and one is left out only where not 
   CHECK(shortened > 100);
 }
 
+TEST_CASE("a legend that takes too large a share of the room is left out, and no other one") {
+  const std::vector<LegendEntry> entries = key_of(4);
+  const PlacedLegend whole =
+      place_legend(entries, test::half_size_a_byte, 1.0, {.room = {{}, {900, 700}}}, kWhiteCanvas);
+  const Vec2 size = whole.size();
+  // Rooms of the legend's width and twice that, with a height from one to eight times its own.
+  for (const double wide : {1.2, 2.0})
+    for (double high = 1.2; high < 8.0; high += 0.4) {
+      const LegendSurroundings around{.room = {{}, {wide * size.x, high * size.y}}, .most_of_room = 0.25};
+      const PlacedLegend legend = place_legend(entries, test::half_size_a_byte, 1.0, around, kWhiteCanvas);
+      INFO(wide << " x " << high);
+      CHECK(legend.lacks_room == (wide * high < 4.0));
+      CHECK(legend.drawing.is_empty() == legend.lacks_room);
+    }
+}
+
 TEST_CASE("where nothing is known of the drawing, the legend is in the lower right corner, at every zoom the same") {
   const std::vector<LegendEntry> entries = key_of(4);
   const PlacedLegend first =

@@ -9,6 +9,12 @@
 
 namespace mes {
 
+namespace {
+
+constexpr double kMostOfCanvas = 1.0 / 3.0;
+
+}  // namespace
+
 std::optional<Box2> CanvasLegend::draw(const std::optional<PaperPlace>& place, ImVec2 origin,
                                        const MarksPlace& marks) const {
   std::vector<LegendEntry> entries = picture.legend(visible_layers(layers), scope);
@@ -19,7 +25,8 @@ std::optional<Box2> CanvasLegend::draw(const std::optional<PaperPlace>& place, I
                     .bar = marks.longest_bar,
                     .place = place,
                     // A corner that hides less is not better, only a free one: the legend stays while one edits.
-                    .hides = [this](const Box2& box) { return hides(box) == 0 ? 0U : 1U; }},
+                    .hides = [this](const Box2& box) { return hides(box) == 0 ? 0U : 1U; },
+                    .most_of_room = kMostOfCanvas},
                    picture.canvas());
   if (legend.drawing.is_empty()) return std::nullopt;
   const float unit = gui.unit();
