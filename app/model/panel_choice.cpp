@@ -34,7 +34,8 @@ PanelChoice::PanelChoice(std::span<const PanelPage> open, std::optional<PanelPag
 
 std::span<const PanelPage> PanelChoice::shown() const {
   const std::span<const PanelPage> all(open_);
-  if (has_room_for_two_ || all.size() < 2) return all;
+  if (room_ == 0 && !is_wanted_without_room_) return {};
+  if (room_ >= kMostPanels || all.size() < 2) return all;
   return all.subspan(all.front() == last_ ? 0 : 1, 1);
 }
 
@@ -42,8 +43,14 @@ bool PanelChoice::is_shown(PanelPage page) const {
   return std::ranges::count(shown(), page) != 0;
 }
 
+void PanelChoice::set_room(std::size_t panels) {
+  room_ = panels;
+  if (room_ != 0) is_wanted_without_room_ = false;
+}
+
 void PanelChoice::open(PanelPage page) {
   last_ = page;
+  is_wanted_without_room_ = room_ == 0;
   if (std::ranges::count(open_, page) != 0) return;
   // The pinned panel returns above the other one.
   if (page != pinned_) std::erase_if(open_, [&](PanelPage other) { return other != pinned_; });
@@ -54,6 +61,7 @@ void PanelChoice::open(PanelPage page) {
 
 void PanelChoice::close(PanelPage page) {
   std::erase(open_, page);
+  is_wanted_without_room_ = false;
   if (!open_.empty()) last_ = open_.front();
 }
 

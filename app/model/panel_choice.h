@@ -35,7 +35,7 @@ std::optional<PanelPage> find_panel(std::string_view id);
 
 /// Guarantees: at most two panels are open, the pinned one above. A panel that opens takes the place of those that are
 /// not pinned. Where only one has room, the one that was opened last is shown, and the other returns with the room.
-/// Threads: none.
+/// Where none has room, all are hidden until one is opened, which is then shown alone. Threads: none.
 class PanelChoice {
  public:
   PanelChoice() = default;
@@ -62,8 +62,8 @@ class PanelChoice {
   /// True if the panel or its large diagram is shown.
   bool is_in_use(PanelPage page) const { return large_ == page || is_shown(page); }
 
-  /// Sets whether two panels have room.
-  void set_room_for_two(bool has_room) { has_room_for_two_ = has_room; }
+  /// Sets how many panels have room: 0, 1 or 2.
+  void set_room(std::size_t panels);
 
   /// Compares what the settings remember.
   friend bool operator==(const PanelChoice& a, const PanelChoice& b) {
@@ -77,7 +77,8 @@ class PanelChoice {
   std::optional<PanelPage> pinned_ = PanelPage::layers;
   PanelPage last_ = PanelPage::layers;  // the open panel that was opened last
   std::optional<PanelPage> large_;
-  bool has_room_for_two_ = true;
+  std::size_t room_ = 2;
+  bool is_wanted_without_room_ = false;  // the last one was opened where no panel has room
 };
 
 }  // namespace mes

@@ -50,15 +50,15 @@ TEST_CASE("the pinned panel is above, also when it is pinned or opened last") {
 TEST_CASE("without room for two the last one is shown, and the other returns with the room") {
   PanelChoice panels;
   panels.open(PanelPage::persistence);
-  panels.set_room_for_two(false);
+  panels.set_room(1);
   CHECK(shown_in(panels) == Pages{PanelPage::persistence});
   CHECK_FALSE(panels.is_shown(PanelPage::layers));
   // The key of a panel without room shows it.
   panels.toggle(PanelPage::layers);
   CHECK(shown_in(panels) == Pages{PanelPage::layers});
-  panels.set_room_for_two(true);
+  panels.set_room(2);
   CHECK(shown_in(panels) == Pages{PanelPage::layers, PanelPage::persistence});
-  panels.set_room_for_two(false);
+  panels.set_room(1);
   panels.toggle(PanelPage::layers);
   CHECK(shown_in(panels) == Pages{PanelPage::persistence});
 }
@@ -87,7 +87,7 @@ TEST_CASE("whatever is opened, closed and pinned, a panel that was toggled answe
   PanelChoice panels;
   for (int turn = 0; turn < 2000; ++turn) {
     const auto page = static_cast<PanelPage>(random.below(kPanelPages));
-    panels.set_room_for_two(random.below(2) == 0);
+    panels.set_room(1 + random.below(2));
     const bool was_shown = panels.is_shown(page);
     const bool pins = random.below(4) == 0;
     if (pins)
@@ -103,4 +103,27 @@ TEST_CASE("whatever is opened, closed and pinned, a panel that was toggled answe
     CHECK(panels.shown().empty() == all.empty());
     CHECK(PanelChoice(all, panels.pinned()) == panels);
   }
+}
+
+TEST_CASE("without room for any the panels are hidden until one is opened, and return with the room") {
+  PanelChoice panels;
+  const PanelChoice before = panels;
+  panels.set_room(0);
+  CHECK(shown_in(panels).empty());
+  CHECK(panels == before);
+  panels.toggle(PanelPage::layers);
+  CHECK(shown_in(panels) == Pages{PanelPage::layers});
+  panels.set_room(0);
+  CHECK(shown_in(panels) == Pages{PanelPage::layers});
+  panels.set_room(2);
+  CHECK(shown_in(panels) == Pages{PanelPage::layers, PanelPage::bundles});
+  panels.set_room(0);
+  CHECK(shown_in(panels).empty());
+  // Another panel is shown alone, and closing it leaves no other one over the drawing.
+  panels.toggle(PanelPage::log);
+  CHECK(shown_in(panels) == Pages{PanelPage::log});
+  panels.toggle(PanelPage::log);
+  CHECK(shown_in(panels).empty());
+  panels.set_room(1);
+  CHECK(shown_in(panels) == Pages{PanelPage::layers});
 }

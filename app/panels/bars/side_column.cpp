@@ -16,6 +16,7 @@ constexpr float kRoomForTwo = 460.0F;
 constexpr float kLeastPanel = 180.0F;  // height in which the panel of layers shows its first rows
 constexpr double kLeastWidth = 240.0;
 constexpr double kMostWidth = 1200.0;
+constexpr float kLeastRest = 160.0F;  // toolbar and drawing beside the panels
 constexpr float kLargeSide = 640.0F;
 // Maximal share of the window for the panels, and where it is too small for them.
 constexpr float kMostOfScreen = 0.45F;
@@ -31,13 +32,14 @@ float SideColumn::draw(float top, float height) {
   PanelChoice& panels = settings_.panels;
   const float unit = gui_.unit();
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  panels.set_room_for_two(height >= kRoomForTwo * unit);
   const float rail = draw_rail(top, height);
+  const float free = screen.x - rail;
+  const bool has_room = free >= (static_cast<float>(kLeastWidth) + kLeastRest) * unit;
+  panels.set_room(!has_room ? 0 : height < kRoomForTwo * unit ? 1 : 2);
   // A copy, because a panel may close itself while it is drawn.
   const std::vector<PanelPage> shown(panels.shown().begin(), panels.shown().end());
   if (shown.empty()) return rail;
   const float wanted = static_cast<float>(settings_.column_width) * unit;
-  const float free = screen.x - rail;
   const float least = std::min(static_cast<float>(kLeastWidth) * unit, kMostOfSmallScreen * free);
   // Windows begin at whole pixels, so fractions would leave a slit between them.
   const float width = std::max(1.0F, std::floor(std::min(wanted, std::max(least, kMostOfScreen * free))));
