@@ -339,7 +339,7 @@ std::optional<DifferenceMarks::State> DrawingBoard::compared_state() const {
 
 void DrawingBoard::follow_differences() {
   if (!picture_.keep_instances(shows_differences())) work_.ask_again_for_layers();
-  const bool is_complete = has_all_results_ && work_.is_complete() && picture_.instances() != nullptr;
+  const bool is_complete = is_up_to_date() && picture_.instances() != nullptr;
   differences_.follow(
       is_complete ? compared_state() : std::nullopt, shows_differences(), work_.panes().revision(),
       [this] {

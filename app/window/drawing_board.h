@@ -54,6 +54,8 @@ class DrawingBoard {
   /// Binds the actions for tools, zooming, fitting and nudging.
   void bind(ActionBindings& actions);
 
+  /// True if the picture shows everything requested, as of the present document and settings.
+  bool is_up_to_date() const { return has_all_results_ && work_.is_complete(); }
   /// True if nothing moves the view or is going to.
   bool is_at_rest() const;
   /// The contents of the panes beside the main one.

@@ -93,6 +93,10 @@ Panels::Panels(const Uses& uses)
   layers_panel_.set_export([&flow = uses.documents](LayerIndex layer, const LayerTextFormat& format) {
     flow.figures().ask_geometry({layer}, format);
   });
+  layers_panel_.set_follow_counts([&work = uses.work, &board = uses.board](LayerCounts& counts) {
+    counts.follow(work.document().revision(), work.computation().settings(), work.live_registry().share());
+    return board.is_up_to_date();
+  });
 }
 
 std::vector<SidePage> Panels::pages() {

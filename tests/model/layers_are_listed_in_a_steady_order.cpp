@@ -2,8 +2,10 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <map>
+#include <memory>
 #include <set>
 
+#include "app/layers/layer_counts.h"
 #include "app/layers/layer_list.h"
 #include "app/layers/layer_topics.h"
 #include "tests/support/builtin_layers.h"
@@ -198,4 +200,28 @@ TEST_CASE("under its heading a layer does not repeat it") {
   CHECK(name("a-union-boundary") == "Boundary");
   CHECK(name("b-inner-disks") == "Disks");
   CHECK(name("medial-axis") == layer_descriptors()[find_layer("medial-axis")].name);
+}
+
+TEST_CASE("the count of a layer holds for one document, its settings and one registry") {
+  auto registry = std::make_shared<const Registry>();
+  ComputationSettings settings;
+  LayerCounts counts;
+  counts.follow(7, settings, registry);
+  CHECK_FALSE(counts.of(3));
+  counts.note(3, 12);
+  counts.note(4, 0);
+  counts.follow(7, settings, registry);
+  CHECK(counts.of(3) == std::size_t{12});
+  CHECK(counts.of(4) == std::size_t{0});
+  const auto is_forgotten = [&](auto change) {
+    counts.note(3, 12);
+    change();
+    counts.follow(7, settings, registry);
+    const bool out = !counts.of(3);
+    counts.follow(7, settings, registry);
+    return out;
+  };
+  CHECK(is_forgotten([&] { counts.follow(8, settings, registry); }));
+  CHECK(is_forgotten([&] { settings.precision = Precision::exact; }));
+  CHECK(is_forgotten([&] { registry = std::make_shared<const Registry>(); }));
 }

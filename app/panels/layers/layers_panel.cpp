@@ -307,11 +307,18 @@ void LayersPanel::draw_drop_target(LayerIndex layer, ImVec2 at, ImVec2 end) {
 
 std::optional<std::size_t> LayersPanel::count_of(LayerIndex layer) const {
   const auto& kinds = layers_.descriptor(layer).kinds;
-  if (kinds.empty() || !layers_.is_visible(layer) || picture_.state(layer) != NodeState::up_to_date)
-    return std::nullopt;
+  if (kinds.empty()) return std::nullopt;
+  if (!layers_.is_visible(layer)) return counts_.of(layer);
+  if (picture_.state(layer) != NodeState::up_to_date) return std::nullopt;
   std::size_t count = 0;
   for (const PrimitiveKind kind : kinds) count += picture_.scene().instances(layer, kind);
   return count;
+}
+
+void LayersPanel::note_counts() {
+  if (!follow_counts_(counts_)) return;
+  for (const LayerIndex layer : layers_.visible_layers())
+    if (const auto count = count_of(layer)) counts_.note(layer, *count);
 }
 
 // A star that is off appears on the row under the pointer only.
@@ -535,6 +542,7 @@ void LayersPanel::find_revealed() {
 }
 
 void LayersPanel::draw() {
+  note_counts();
   draw_head();
   follow();
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});

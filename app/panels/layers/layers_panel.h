@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/actions/action_bindings.h"
+#include "app/layers/layer_counts.h"
 #include "app/layers/layer_list.h"
 #include "app/panels/layers/color_map_controls.h"
 #include "app/panels/layers/image_controls.h"
@@ -43,6 +44,10 @@ class LayersPanel {
   /// Sets the function that asks for a file for the geometry of a layer.
   void set_export(std::function<void(LayerIndex, const LayerTextFormat&)> ask) { ask_export_ = std::move(ask); }
 
+  /// Sets the function that makes the counts follow the state from which layers are computed, and returns true if the
+  /// picture shows that state.
+  void set_follow_counts(std::function<bool(LayerCounts&)> follow) { follow_counts_ = std::move(follow); }
+
  private:
   void draw_head();
   void draw_search();
@@ -56,7 +61,9 @@ class LayersPanel {
   void toggle_group(const LayerSection& section);
   void draw_row(LayerIndex layer, const LayerSection& section);
   void draw_drop_target(LayerIndex layer, ImVec2 at, ImVec2 end);
-  /// The number of elements drawn; nothing if the layer is hidden or not up to date.
+  /// Remembers the counts of the shown layers.
+  void note_counts();
+  /// The number of elements drawn; of a hidden layer, as it was when the same state was shown. Nothing if it is unknown.
   std::optional<std::size_t> count_of(LayerIndex layer) const;
   void draw_star(LayerIndex layer, ImVec2 at, float size, bool is_row_hovered);
   void draw_row_text(LayerIndex layer, const LayerSection& section, ImVec2 at, ImVec2 end) const;
@@ -98,6 +105,8 @@ class LayersPanel {
   };
   std::optional<CopiedStyle> copied_;
   std::function<void(LayerIndex, const LayerTextFormat&)> ask_export_;
+  std::function<bool(LayerCounts&)> follow_counts_;
+  LayerCounts counts_;
 };
 
 }  // namespace mes
