@@ -279,20 +279,21 @@ HiddenAdditionsNote Panels::hidden_additions_note() const {
           uses_.work.layers(), uses_.board.shows_annotations(), uses_.settings.show_annotations};
 }
 
-NoteRoom Panels::note_room(const Sides& sides, std::vector<Box2> covered) const {
+std::size_t Panels::hidden_by(const Box2& box) const {
+  constexpr std::size_t kMark = 64;  // a legend or a scale bar counts as much as an area full of samples
+  const auto lies_on = [&](const Box2& mark) {
+    return mark.low.x < box.high.x && box.low.x < mark.high.x && mark.low.y < box.high.y && box.low.y < mark.high.y;
+  };
+  return uses_.board.hidden_by(box) + (std::ranges::any_of(marks_, lies_on) ? kMark : 0U);
+}
+
+NoteRoom Panels::note_room(const Sides& sides) const {
   const float unit = uses_.screen.gui.unit();
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   const Vec2 low{sides.left + 8 * unit, sides.top + 10 * unit};
   const Vec2 high{std::max(low.x + 1.0, static_cast<double>(screen.x - sides.right - 8 * unit)),
                   screen.y - sides.bottom - 10 * unit};
-  return {{low, high}, [this, covered = std::move(covered)](const Box2& box) {
-            constexpr std::size_t kMark = 64;  // a legend or a scale bar counts as much as an area full of samples
-            const auto lies_on = [&](const Box2& mark) {
-              return mark.low.x < box.high.x && box.low.x < mark.high.x && mark.low.y < box.high.y &&
-                     box.low.y < mark.high.y;
-            };
-            return uses_.board.hidden_by(box) + (std::ranges::any_of(covered, lies_on) ? kMark : 0U);
-          }};
+  return {{low, high}, [this](const Box2& box) { return hidden_by(box); }};
 }
 
 // The audience of a presentation sees no messages; those of problems appear after it.
@@ -387,10 +388,10 @@ Panels::Room Panels::draw() {
     const double scale = gui.unit();
     return Box2{origin + scale * box.low, origin + scale * box.high};
   };
-  std::vector<Box2> covered;
-  if (legend) covered.push_back(on_screen(*legend));
-  if (marks.bar) covered.push_back(on_screen(*marks.bar));
-  const NoteRoom room = note_room(sides, std::move(covered));
+  marks_.clear();
+  if (legend) marks_.push_back(on_screen(*legend));
+  if (marks.bar) marks_.push_back(on_screen(*marks.bar));
+  const NoteRoom room = note_room(sides);
   presenter_.draw(gui, presenter_.shows_slide() ? slide() : std::string(), room, ImGui::GetTime());
   draw_messages(sides, width, room);
   uses_.work.insight().end_frame();
@@ -456,8 +457,7 @@ void Panels::draw_over(Sides& sides) {
   const auto keep = uses_.board.provenance().draw(
       gui, uses_.board.canvas(), uses_.work.editor(), uses_.work.layers(),
       {{sides.left + margin, sides.top + margin}, {width, screen.y - sides.top - sides.bottom - 2 * margin}},
-      [this](const Box2& box) { return uses_.board.hidden_by(box); },
-      uses_.actions.keymap().key_of(ActionId::keep_highlight));
+      [this](const Box2& box) { return hidden_by(box); }, uses_.actions.keymap().key_of(ActionId::keep_highlight));
   list.PopClipRect();
   uses_.board.draw_menu(uses_.actions);
   if (keep) uses_.board.keep_highlight(keep->line);

@@ -110,9 +110,10 @@ class Panels {
   MarksPlace draw_scale_marks(const Sides& sides);
   std::optional<Box2> draw_legend(const Sides& sides, const MarksPlace& marks);
   HiddenAdditionsNote hidden_additions_note() const;
-  /// `covered`: the boxes of the legend and the scale bar on the screen.
-  /// The room for texts over the canvas; `covered`: the boxes of legend and scale bar on the screen.
-  NoteRoom note_room(const Sides& sides, std::vector<Box2> covered) const;
+  /// How much of the drawing, the legend and the scale bar a box on the screen would hide.
+  std::size_t hidden_by(const Box2& box) const;
+  /// The room for texts over the canvas.
+  NoteRoom note_room(const Sides& sides) const;
   void draw_messages(const Sides& sides, float width, const NoteRoom& room);
   void bind_shown(ActionBindings& actions);
   void bind_look(ActionBindings& actions);
@@ -144,6 +145,7 @@ class Panels {
   Presenter presenter_;
   ProblemNote problem_note_;
   MarkDrag mark_drag_;
+  std::vector<Box2> marks_;  // the boxes of legend and scale bar on the screen, when they were last drawn
 };
 
 }  // namespace mes

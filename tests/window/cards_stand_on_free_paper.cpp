@@ -32,3 +32,21 @@ TEST_CASE("the card of an element opens in the corner where no samples are, and 
   CHECK(eventually([&] { return window.screen.shoot().changes({600, 60, 960, 110}, before) > 300; }));
   CHECK(window.screen.settled().changes(kUpperLeft, before) == 0);
 }
+
+TEST_CASE("the card of an element does not lie on the scale bar where other corners are free") {
+  DrivenProgram window;
+  // No corner of the view has a sample.
+  window.folder.write("diamond.poff", "POFF 4 0 0\n0 -1\n1 0\n0 1\n-1 0\n");
+  std::filesystem::create_directories(window.folder / "config" / "mesecina");
+  window.folder.write("config/mesecina/settings.json", R"({"schema": 1, "show_scale_bar": true})");
+  window.start("diamond.poff");
+  constexpr PixelBox kBar{66, 725, 240, 765};
+  const auto is_ink = [](Color c) { return c.r < 60 && c.g < 60 && c.b < 70; };
+  REQUIRE(eventually([&] { return !window.screen.shoot().box_of(kBar, is_ink).is_empty(); }));
+  const Screenshot before = window.drawn();
+  window.screen.click(kCanvas.middle());
+  constexpr PixelBox kLowerRight{700, 700, 920, 765};
+  REQUIRE(eventually([&] { return window.screen.shoot().changes(kLowerRight, before) > 300; }));
+  // A highlighted ray may cross it; a card would change all of it.
+  CHECK(window.screen.settled().changes(kBar, before) < 500);
+}

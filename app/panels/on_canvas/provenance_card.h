@@ -23,8 +23,8 @@ namespace mes {
 ProvenanceQuestion question_at(const Pointer& pointer, const LayerStack& layers);
 
 /// The answer is valid for one state of the document and one selection: an edit or a new selection removes it. The
-/// card opens in the corner where it hides least of the drawing. Once dragged by its header, it stays where it is.
-/// Threads: the window's.
+/// card opens in the corner where it hides least of the drawing and its marks. Once dragged by its header, it stays
+/// where it is. Threads: the window's.
 class ProvenanceCard {
  public:
   /// Asks about the elements under the pointer in the visible layers; the answer comes later.
