@@ -38,17 +38,19 @@ namespace {
 
 constexpr float kTooltipWidth = 340.0F;  // width of the text, in logical pixels
 
-void place_tooltip(const Gui& gui, const std::string& text) {
+const ImGuiWindow& root_window() {
+  return *ImGui::GetCurrentContext()->CurrentWindow->RootWindow;
+}
+
+void place_tooltip(const Gui& gui, const std::string& text, const PanelArea& panel) {
   const ImVec2 low = ImGui::GetItemRectMin();
   const ImVec2 high = ImGui::GetItemRectMax();
-  const ImGuiWindow* const root = ImGui::GetCurrentContext()->CurrentWindow->RootWindow;
-  const ImRect panel = root->OuterRectClipped;
   const ImVec2 size = paragraph_window_size(text, kTooltipWidth * gui.unit());
   // Without this, Dear ImGui would draw the text in the size of the previous one for a frame.
   ImGui::SetNextWindowSize(size);
   const auto at = tooltip_place({.item = {low, {high.x - low.x, high.y - low.y}},
-                                 .panel = {panel.Min, panel.GetSize()},
-                                 .is_dialog = (root->Flags & ImGuiWindowFlags_Modal) != 0,
+                                 .panel = panel,
+                                 .is_dialog = (root_window().Flags & ImGuiWindowFlags_Modal) != 0,
                                  .size = size,
                                  .screen = ImGui::GetIO().DisplaySize,
                                  .gap = 6 * gui.unit()});
@@ -217,8 +219,13 @@ void polyline(ImDrawList& list, std::span<const ImVec2> points, ImU32 color, boo
 }
 
 void tooltip(const Gui& gui, const std::string& text) {
+  const ImRect panel = root_window().OuterRectClipped;
+  tooltip(gui, text, {panel.Min, panel.GetSize()});
+}
+
+void tooltip(const Gui& gui, const std::string& text, const PanelArea& panels) {
   if (text.empty() || !gui.is_resting() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
-  place_tooltip(gui, text);
+  place_tooltip(gui, text, panels);
   ImGui::BeginTooltip();
   paragraph(text, kTooltipWidth * gui.unit());
   ImGui::EndTooltip();

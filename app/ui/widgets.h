@@ -74,6 +74,8 @@ std::optional<ImVec2> tooltip_place(const TooltipRoom& room);
 
 /// Explains the last item when the pointer rests on it, even if it is disabled.
 void tooltip(const Gui& gui, const std::string& text);
+/// The same for an item of a panel that lies in `panels` together with others, which should not be covered either.
+void tooltip(const Gui& gui, const std::string& text, const PanelArea& panels);
 
 /// A row of a menu that runs an action of the table: its name or `label`, its key, and its tooltip with the reason if
 /// it is not possible now.

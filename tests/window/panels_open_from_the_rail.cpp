@@ -102,3 +102,13 @@ TEST_CASE("the key of a panel shows it even while all panels are hidden") {
   window.press("shift+l");
   CHECK(eventually([&] { return window.screen.settled().changes(kLower, first) == 0; }));
 }
+
+TEST_CASE("the explanation of an icon of the rail covers no panel") {
+  RailWindow window;
+  const Screenshot before = window.drawn();
+  window.screen.xdotool(fmt::format("mousemove {} {}", kPersistenceIcon[0], kPersistenceIcon[1]));
+  constexpr PixelBox kBesideThePanels{600, 30, 938, 770};
+  REQUIRE(eventually([&] { return window.screen.shoot().changes(kBesideThePanels, before) > 1000; }));
+  constexpr PixelBox kPanels{940, 26, 1236, 770};
+  CHECK(window.screen.settled().changes(kPanels, before) == 0);
+}

@@ -36,6 +36,7 @@ float SideColumn::draw(float top, float height) {
   const float free = screen.x - rail;
   const bool has_room = free >= (static_cast<float>(kLeastWidth) + kLeastRest) * unit;
   panels.set_room(!has_room ? 0 : height < kRoomForTwo * unit ? 1 : 2);
+  panels_width_ = 0.0F;
   // A copy, because a panel may close itself while it is drawn.
   const std::vector<PanelPage> shown(panels.shown().begin(), panels.shown().end());
   if (shown.empty()) return rail;
@@ -43,6 +44,7 @@ float SideColumn::draw(float top, float height) {
   const float least = std::min(static_cast<float>(kLeastWidth) * unit, kMostOfSmallScreen * free);
   // Windows begin at whole pixels, so fractions would leave a slit between them.
   const float width = std::max(1.0F, std::floor(std::min(wanted, std::max(least, kMostOfScreen * free))));
+  panels_width_ = width;
   const PanelArea column{{screen.x - rail - width, top}, {width, height}};
   const bool has_two = shown.size() == 2;
   const float least_height = std::min(kLeastPanel * unit, 0.5F * height);
@@ -64,14 +66,16 @@ float SideColumn::draw_rail(float top, float height) {
   ButtonColumns measure({}, size, unit, room);
   for (const SidePage& page : pages_) measure.advance(page.begins_group);
   const float width = std::ceil(measure.width() + 2 * padding);
-  if (begin_panel("##rail", {{ImGui::GetIO().DisplaySize.x - width, top}, {width, height}},
+  const float left = ImGui::GetIO().DisplaySize.x - width;
+  const PanelArea with_panels{{left - panels_width_, top}, {panels_width_ + width, height}};
+  if (begin_panel("##rail", {{left, top}, {width, height}},
                   ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse)) {
     ButtonColumns columns({padding, padding}, size, unit, room);
     for (const SidePage& page : pages_) {
       columns.next(page.begins_group);
       const ButtonLook look = actions_.is_checked(page.toggle) ? ButtonLook::on : ButtonLook::plain;
       if (icon_button(page.title, page.icon, size, look)) actions_.run(page.toggle);
-      tooltip(gui_, actions_.tooltip_of(page.toggle));
+      tooltip(gui_, actions_.tooltip_of(page.toggle), with_panels);
     }
   }
   ImGui::End();

@@ -49,6 +49,7 @@ class SideColumn {
   const ActionBindings& actions_;
   Settings& settings_;
   std::vector<SidePage> pages_;
+  float panels_width_ = 0.0F;  // of the panels beside the rail, when they were last drawn
 };
 
 }  // namespace mes
