@@ -197,13 +197,9 @@ void FigureFlow::ask_cells() {
 }
 
 void FigureFlow::write_cells(const std::filesystem::path& file) {
-  const std::string extension = lower_case(file.extension().string());
-  const auto format = std::ranges::find_if(
-      cell_formats(), [&](std::string_view name) { return extension == "." + std::string(name); });
-  if (format == cell_formats().end()) {
-    uses_.messages.problem("The name of the file ends neither in .geojson nor in .wkt");
-    return;
-  }
+  const std::string extension = lower_case_extension(file);
+  const auto format = std::ranges::find(cell_formats(), std::string_view(extension).substr(1));
+  MES_ASSERT(format != cell_formats().end());  // as above
   writing_geometry_.begin([registry = uses_.work.live_registry().share(), file, data = data_of(uses_.work.document()),
                            format = *format](const std::stop_token& stop) -> WrittenGeometry {
     try {
