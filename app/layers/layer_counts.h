@@ -16,8 +16,7 @@ namespace mes {
 
 class LayerCounts {
  public:
-  /// What the elements of layers are computed from. Another document, other settings or another registry make all
-  /// counts unknown.
+  /// Forgets all counts if the document, the settings or the registry is another one than in the last call.
   void follow(std::uint64_t document_revision, const ComputationSettings& settings,
               const std::shared_ptr<const Registry>& registry);
   void note(LayerIndex layer, std::size_t count) { counts_[layer] = count; }

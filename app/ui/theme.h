@@ -49,7 +49,7 @@ ThemeColors theme_colors(Theme theme, bool for_projector);
 void apply_theme(ImGuiStyle& style, const ThemeColors& colors, float scale);
 
 ImU32 to_imgui(Rgb color, double opacity = 1.0);
-/// Without the opacity.
+/// The colour as it is when opaque.
 Rgb to_rgb(ImU32 color);
 
 }  // namespace mes

@@ -118,7 +118,7 @@ TEST_CASE("a lesson begins with its title, and captions are large and below the 
   CHECK(window.shows_beside_caption(title));
 }
 
-TEST_CASE("a program that is told to present begins with the title of the lesson, or says that there is none") {
+TEST_CASE("--present begins with the title of the lesson, and a file without a lesson gets a message") {
   DrivenProgram window;
   window.folder.write("house.json", house_lesson());
   window.folder.write("house.poff", kHouse);

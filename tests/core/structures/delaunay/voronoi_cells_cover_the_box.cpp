@@ -84,14 +84,14 @@ void check_cells(const std::vector<Vec2>& points) {
   }
   CHECK(sum == Approx(box.width() / unit * (box.height() / unit)).epsilon(1e-9));
   check_neighbors(cells, box);
-  // Of any place, the cell of its nearest site.
+  // A place lies in the cell of its nearest site.
   Rng rng(7);
   for (int i = 0; i < 50; ++i) {
     const Vec2 place{rng.uniform(box.low.x, box.high.x), rng.uniform(box.low.y, box.high.y)};
     const auto far = [&](SiteSlot site) { return length((1.0 / unit) * (delaunay.site_position(site) - place)); };
     double least = std::numeric_limits<double>::infinity();
     for (const auto& [site, ring] : cells) least = std::min(least, far(site));
-    // Of sites at nearly the same distance, each may be the nearest.
+    // Each of several sites at nearly the same distance may be the nearest.
     CHECK(std::ranges::any_of(cells, [&](const auto& cell) {
       return far(cell.first) <= (1.0 + 1e-12) * least && depth_in(cell.second, place, unit) > -1e-7;
     }));
