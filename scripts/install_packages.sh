@@ -72,6 +72,7 @@ test           xdotool             xdotool             xdotool        -
 test           imagemagick         ImageMagick         imagemagick    imagemagick
 test           dbus-daemon         dbus-daemon         dbus           -
 test           proj-bin            proj                proj           proj
+test           gdal-bin            gdal                gdal           gdal
 test           librsvg2-bin        librsvg2-tools      librsvg        librsvg
 test           poppler-utils       poppler-utils       poppler        poppler
 test           ghostscript         ghostscript         ghostscript    ghostscript

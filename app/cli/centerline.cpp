@@ -119,10 +119,13 @@ Expected<CenterlineJob> centerline_job(const CenterlineRequest& request) {
   const auto format = centerline_format(request);
   if (!format) return std::unexpected(format.error());
   out.format = *format;
-  if (request.are_features_apart && !request.from.empty() && request.from != "geojson")
-    return usage_error("--each reads features of GeoJSON, not " + in_quotes(request.from));
+  constexpr std::array<std::string_view, 5> kOfFeatures{"", "geojson", "shapefile", "geopackage", "flatgeobuf"};
+  if (request.are_features_apart && std::ranges::find(kOfFeatures, request.from) == kOfFeatures.end())
+    return usage_error("--each reads features of " + one_of(std::span(kOfFeatures).subspan(1)) + ", not " +
+                       in_quotes(request.from));
   if (request.are_features_apart && !out.format->is_of_features)
-    return usage_error(fmt::format("--each writes properties, which {} cannot hold; geojson can", out.format->name));
+    return usage_error(
+        fmt::format("--each writes properties, which {} cannot hold; geojson, gpkg and fgb can", out.format->name));
   return out;
 }
 

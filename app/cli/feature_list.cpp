@@ -11,12 +11,15 @@
 #include <utility>
 
 #include "core/io/files/read_file.h"
+#include "core/io/maps/gdal.h"
 #include "core/io/session/json_text.h"
 #include "core/io/session/json_view.h"
 #include "core/io/text/text_numbers.h"
 
 namespace mes::cli {
 namespace {
+
+constexpr std::string_view kBlanks = " \t\r\n\x1e";
 
 /// The value as it is written in the text: a view has no end of its own, so it is taken off the rest.
 std::string written(JsonView value, std::string_view text) {
@@ -51,8 +54,9 @@ void add_feature(JsonView feature, const std::string& crs, std::string_view text
   if (!added.id.empty()) added.name += ", id " + printable(added.id);
   if (properties.is_object()) {
     const std::string object = written(properties, text);
-    added.properties = object.substr(1, object.size() - 2);
-    if (added.properties.find_first_not_of(" \t\r\n") == std::string::npos) added.properties.clear();
+    const std::size_t first = object.find_first_not_of(kBlanks, 1);
+    const std::size_t last = object.find_last_not_of(kBlanks, object.size() - 2);
+    if (first <= last) added.properties = object.substr(first, last + 1 - first);
     for (const auto& [key, value] : properties.members()) added.keys.push_back(key.text());
   }
   added.text = R"({"type":"FeatureCollection",)" + crs + R"("features":[)" + written(feature, text) + "]}";
@@ -61,12 +65,21 @@ void add_feature(JsonView feature, const std::string& crs, std::string_view text
 }  // namespace
 
 Expected<FeatureList> read_features(const std::string& file) {
-  const auto bytes = file == "-" ? read_whole(STDIN_FILENO, file) : read_whole(file);
+  auto bytes = file == "-" ? read_whole(STDIN_FILENO, file) : read_whole(file);
   if (!bytes) return std::unexpected(bytes.error());
   FeatureList out;
   std::error_code error;
   if (file != "-" && std::filesystem::is_regular_file(file, error))
     out.sources.push_back({file, fingerprint_of(*bytes)});
+  const std::size_t begin = without_bom(*bytes).find_first_not_of(kBlanks);
+  if (is_for_gdal(*bytes)) {
+    const std::filesystem::path path = file;
+    bytes = geojson_by_gdal(*bytes, file, file == "-" ? nullptr : &path, nullptr);
+    if (!bytes) return std::unexpected(bytes.error());
+  } else if (begin == std::string_view::npos || without_bom(*bytes)[begin] != '{') {
+    return std::unexpected(Error{ErrorCode::bad_input,
+                                 "--each reads features of GeoJSON, shapefiles, GeoPackages and FlatGeobufs", file});
+  }
   const std::string_view text = without_bom(*bytes);
   std::string_view rest = text;
   for (std::string_view record = take_json_text(rest); !record.empty(); record = take_json_text(rest)) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The features of a GeoJSON map, each as a map of its own.
+// The features of a map, each as a map of its own.
 #pragma once
 
 #include <string>
@@ -23,8 +23,8 @@ struct FeatureList {
   std::vector<SourceFile> sources{};
 };
 
-/// Reads a FeatureCollection, a single feature, or several of either in sequence; "-" is standard input. Error:
-/// `bad_input` for anything else.
+/// Reads GeoJSON: a FeatureCollection, a single feature, or several of either in sequence; or a map that GDAL reads
+/// (core/io/maps/gdal.h). "-" is standard input. Error: `bad_input` for anything else.
 Expected<FeatureList> read_features(const std::string& file);
 
 }  // namespace mes::cli

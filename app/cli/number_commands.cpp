@@ -94,8 +94,10 @@ void describe_centerline(const Registry& registry, CLI::App& app, CenterlineRequ
   centerline->add_option("--every", to.every,
                          "Write stations in steps of this length along each line instead: position, width, the\n"
                          "nearest points of both banks, and direction in degrees from the x axis");
-  centerline->add_flag("--each", to.are_features_apart,
-                       "Treat each feature of a GeoJSON map by itself; lines keep its id and properties");
+  centerline->add_flag(
+      "--each", to.are_features_apart,
+      "Treat each feature of a map by itself (geojson, shapefile, geopackage, flatgeobuf); lines keep its id\n"
+      "and properties");
   centerline->add_option("--format", to.format,
                          help_of_formats(line_text_formats()) +
                              ";\ndefault: by the name of the output, else geojson; stations are a table in csv, and\n"
@@ -130,15 +132,15 @@ void describe_export(const Registry& registry, CLI::App& app, ExportRequest& to)
   CLI::App* const exported =
       app.add_subcommand("export", "The geometry of layers as text, or a table of a structure");
   add_source(registry, *exported, to.source);
-  exported->add_option(
-      "--layer", to.layer,
-      "Layer id (mesecina list layers);\nfor geojson, wkt, their areas, dxf and svg-path also several separated "
-      "by commas, or all");
+  exported->add_option("--layer", to.layer,
+                       "Layer id (mesecina list layers);\nfor geojson, wkt, gpkg, fgb, their areas, dxf and svg-path "
+                       "also several separated "
+                       "by commas, or all");
   exported->add_option("--structure", to.structure,
                        "Structure id (mesecina list structures): a table of it is written instead, as csv or npy");
   exported->add_option(
       "--cells", to.cells,
-      "The Voronoi cells of the samples are written instead, as polygons in geojson or wkt, as far as\n"
+      "The Voronoi cells of the samples are written instead, as polygons in geojson, wkt, gpkg or fgb, as far as\n"
       "box: that of the samples, a tenth wider on each side; hull: their convex hull;\n"
       "outline: what the curves of FILE enclose, where points beside the curves have the cells");
   exported->add_option("--table", to.table, "Which table of the structure, if it has several");

@@ -15,7 +15,7 @@
 namespace mes {
 namespace {
 
-constexpr std::array<std::string_view, 2> kCellFormats{"geojson", "wkt"};
+constexpr std::array<std::string_view, 4> kCellFormats{"geojson", "wkt", "gpkg", "fgb"};
 
 double area_of(const std::vector<Vec2>& ring) {
   double out = 0.0;
@@ -73,7 +73,7 @@ std::span<const std::string_view> cell_formats() {
 
 Expected<CellText> cell_text(std::span<const TextCell> cells, const std::optional<MapPlane>& map,
                              std::string_view format) {
-  const bool is_json = format == kCellFormats[0];
+  const bool is_json = format != "wkt";
   std::optional<MapConversion> conversion;
   if (map && is_on_earth(*map)) {
     auto made = MapConversion::of(*map, is_json ? MapTarget::wgs84 : MapTarget::own_system);
@@ -101,6 +101,11 @@ Expected<CellText> cell_text(std::span<const TextCell> cells, const std::optiona
     }
   }
   if (is_json) out.text += kEndOfFeatures;
+  if (format == "gpkg" || format == "fgb") {
+    auto file = map_file_of(out.text, format == "gpkg" ? kGeoPackage : kFlatGeobuf, map);
+    if (!file) return std::unexpected(file.error());
+    out.text = *std::move(file);
+  }
   return out;
 }
 

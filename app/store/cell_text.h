@@ -27,7 +27,7 @@ struct CellText {
   std::uint64_t off_earth = 0;  ///< cells that reach beyond a pole or around the Earth; left out
 };
 
-/// The formats that hold polygons: "geojson" and "wkt".
+/// The formats that hold polygons: "geojson", "wkt", "gpkg" and "fgb".
 std::span<const std::string_view> cell_formats();
 
 /// `format` is one of them. Features have the properties `sample`, `center` (the place of the sample) and `area`, in

@@ -29,7 +29,7 @@ bool holds_curve(const LayerDescriptor& layer) {
 }
 
 // One line per format.
-constexpr std::array<LayerTextFormat, 10> kFormats{{
+constexpr std::array<LayerTextFormat, 14> kFormats{{
     {"csv", "csv", "CSV table",
      "one primitive a line, segments without length left out; the second pair of numbers is the other end of a "
      "segment, "
@@ -49,6 +49,13 @@ constexpr std::array<LayerTextFormat, 10> kFormats{{
      geojson_areas_of},
     {"wkt-areas", "wkt", "WKT of areas", "the same as well-known text", true, false, "lines or areas", holds_areas,
      wkt_areas_of},
+    {"gpkg", "gpkg", "GeoPackage", "the features of geojson in a GeoPackage, by the library GDAL", true, false, "",
+     holds_all, geopackage_of},
+    {"gpkg-areas", "gpkg", "GeoPackage of areas", "those of geojson-areas", true, false, "lines or areas",
+     holds_areas, geopackage_areas_of},
+    {"fgb", "fgb", "FlatGeobuf", "the same in a FlatGeobuf", true, false, "", holds_all, flatgeobuf_of},
+    {"fgb-areas", "fgb", "FlatGeobuf of areas", "those of geojson-areas", true, false, "lines or areas", holds_areas,
+     flatgeobuf_areas_of},
     {"dxf", "dxf", "DXF", "entities of release 12, arcs and circles as such, on a layer with the id of theirs", true,
      false, "", holds_all, dxf_of},
     {"svg-path", "txt", "SVG path", "the d of one path, upright in SVG", true, false, "", holds_all, svg_path_of},
@@ -69,9 +76,9 @@ Expected<void> check_layers(std::span<const LayerDescriptor> descriptors, const 
                             std::span<const LayerIndex> layers) {
   const auto refuse = [](std::string text) { return std::unexpected(Error{ErrorCode::usage, std::move(text)}); };
   if (layers.size() > 1 && !format.is_of_many)
-    return refuse(
-        fmt::format("a file of format {} holds one layer; geojson, wkt, their areas, dxf and svg-path hold several",
-                    format.name));
+    return refuse(fmt::format(
+        "a file of format {} holds one layer; geojson, wkt, gpkg, fgb, their areas, dxf and svg-path hold several",
+        format.name));
   for (const LayerIndex layer : layers)
     if (!format.holds(descriptors[layer]))
       return refuse(fmt::format("layer {} has no {} to write as {}; csv can hold it", descriptors[layer].id,

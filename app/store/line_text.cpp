@@ -158,13 +158,25 @@ Expected<LineText> lines_as_dxf(std::span<const TextLine> lines) {
   return out;
 }
 
+template <const char* const& kDriver>
+Expected<LineText> lines_by_gdal(std::span<const TextLine> lines) {
+  auto out = lines_as_geojson(lines);
+  if (!out) return out;
+  auto file = map_file_of(out->text, kDriver, lines.empty() ? std::nullopt : lines.front().map);
+  if (!file) return std::unexpected(file.error());
+  out->text = *std::move(file);
+  return out;
+}
+
 // One line per format.
-constexpr std::array<LineTextFormat, 5> kLineFormats{{
+constexpr std::array<LineTextFormat, 7> kLineFormats{{
     {"geojson", "features with numbers as properties", true, lines_as_geojson},
     {"wkt", "well-known text, a line string a line", false, lines_as_wkt},
     {"csv", "a point of a line in each row", false, lines_as_csv},
     {"svg", "a path for each line, upright", false, lines_as_svg},
     {"dxf", "a polyline for each line", false, lines_as_dxf},
+    {"gpkg", "a GeoPackage with the same features as geojson, by GDAL", true, lines_by_gdal<kGeoPackage>},
+    {"fgb", "a FlatGeobuf with the same, by GDAL", true, lines_by_gdal<kFlatGeobuf>},
 }};
 
 }  // namespace

@@ -21,6 +21,8 @@ Format ipe_format();
 Format dxf_format();
 Format shapefile_format();
 Format wkb_format();
+Format geopackage_format();
+Format flatgeobuf_format();
 Format ply_format();
 Format off_format();
 Format obj_format();
@@ -49,6 +51,8 @@ void add_formats(NamedList<Format>& to) {
   add(dxf_format());
   add(shapefile_format());
   add(wkb_format());
+  add(geopackage_format());
+  add(flatgeobuf_format());
   add(ply_format());
   add(off_format());
   add(obj_format());

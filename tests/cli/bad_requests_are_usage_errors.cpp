@@ -38,12 +38,14 @@ TEST_CASE("what this build cannot do is said, not ignored") {
   require_usage_error({"compute", kDude, "--set", "union-shortcut=0.5"}, {"whole number"});
   require_usage_error({"compute", kDude, "--precision", "exakt"}, {"unknown number type", "exact-roots"});
   require_usage_error({"export", kDude, "--layer", "points,curve", "--format", "csv"},
-                      {"holds one layer", "geojson, wkt, their areas, dxf and svg-path hold several"});
+                      {"holds one layer", "geojson, wkt, gpkg, fgb, their areas, dxf and svg-path hold several"});
   require_usage_error({"export", kDude, "--layer", "points", "--format", "npoff"},
                       {"layer points has no curve with normals to write as npoff", "csv can hold it"});
   require_usage_error({"export", kDude, "--layer", "", "--format", "wkt"}, {"--layer"});
-  require_usage_error({"export", kDude, "--layer", "points", "--format", "xls"},
-                      {"csv, poff, wpoff, npoff, geojson, wkt, geojson-areas, wkt-areas, dxf or svg-path"});
+  require_usage_error(
+      {"export", kDude, "--layer", "points", "--format", "xls"},
+      {"csv, poff, wpoff, npoff, geojson, wkt, geojson-areas, wkt-areas, gpkg, gpkg-areas, fgb, fgb-areas, dxf or "
+       "svg-path"});
   require_usage_error({"export", kDude, "--layer", "voronoi-disks", "--format", "poff"}, {"no points"});
   require_usage_error({"export", kDude, "--layer", "medial-axis", "--format", "wpoff"}, {"no disks"});
   require_usage_error({"render", kDude, "-o", "a.svgz"}, {"must end in .png", ".svg"});

@@ -184,11 +184,11 @@ TEST_CASE("lines of a map in degrees are in degrees, and feature by feature with
   REQUIRE(chosen["features"].size() == 1);
   CHECK(chosen["features"][0]["geometry"]["coordinates"].front()[0].get<double>() > 19.9);
 
-  CHECK_THAT(line_fault(2, {file, "--each", "--format", "wkt"}), Catch::Contains("geojson can"));
+  CHECK_THAT(line_fault(2, {file, "--each", "--format", "wkt"}), Catch::Contains("geojson, gpkg and fgb can"));
   CHECK_THAT(line_fault(2, {file, "--each", "--crs", "EPSG:999999"}), Catch::Contains("--crs: \"EPSG:999999\""));
-  CHECK_THAT(line_fault(2, {file, "--each", "--from", "wkt"}), Catch::Contains("features of GeoJSON"));
+  CHECK_THAT(line_fault(2, {file, "--each", "--from", "wkt"}), Catch::Contains("features of geojson, "));
   CHECK_THAT(line_fault(3, {folder.write("a.json", "[[0,0],[1,1]]").string(), "--each"}),
-             Catch::Contains("expects features"));
+             Catch::Contains("reads features"));
   CHECK_THAT(
       line_fault(3, {folder.write("b.json", "{\"type\": \"FeatureCollection\", \"features\": [").string(), "--each"}),
       Catch::Contains("b.json:1:"));

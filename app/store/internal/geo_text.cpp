@@ -3,6 +3,7 @@
 
 #include <span>
 
+#include "core/io/maps/gdal.h"
 #include "core/io/systems/map_conversion.h"
 #include "core/io/text/text_numbers.h"
 
@@ -82,6 +83,10 @@ void append_wkt(std::string& out, StraightKind kind, const GeoParts& parts, std:
     out += kind == StraightKind::polygon ? "))" : ")";
   }
   out += parts.size() > 1 ? ")\n" : "\n";
+}
+
+Expected<std::string> map_file_of(std::string_view geojson, const char* driver, const std::optional<MapPlane>& map) {
+  return map_by_gdal(geojson, driver, map && is_on_earth(*map) ? std::optional(map->system) : std::nullopt);
 }
 
 }  // namespace mes

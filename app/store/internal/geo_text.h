@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/store/internal/straight_shapes.h"
+#include "core/base/error.h"
 #include "core/document/map_plane.h"
 
 namespace mes {
@@ -29,5 +30,12 @@ void append_geojson(std::string& out, StraightKind kind, const GeoParts& parts);
 void append_wkt(std::string& out, StraightKind kind, const GeoParts& parts, std::string_view srid);
 /// "SRID=25832;" for positions in the system of the map; empty without a map, or if no number is known for its system.
 std::string srid_of(const std::optional<MapPlane>& map);
+
+/// Names of the drivers of GDAL.
+inline constexpr const char* kGeoPackage = "GPKG";
+inline constexpr const char* kFlatGeobuf = "FlatGeobuf";
+/// The features of GeoJSON in a file by a driver, in the coordinate system of the map. Error: as for `map_by_gdal`
+/// (core/io/maps/gdal.h).
+Expected<std::string> map_file_of(std::string_view geojson, const char* driver, const std::optional<MapPlane>& map);
 
 }  // namespace mes

@@ -120,6 +120,26 @@ Expected<LayerText> geojson_areas_of(const LayerGeometry& geometry) {
   return features_of(geometry, area_shapes_of);
 }
 
+Expected<LayerText> by_gdal(const LayerGeometry& geometry, Expected<LayerText> features, const char* driver) {
+  if (!features) return features;
+  auto file = map_file_of(features->text, driver, geometry.document.map());
+  if (!file) return std::unexpected(file.error());
+  features->text = *std::move(file);
+  return features;
+}
+Expected<LayerText> geopackage_of(const LayerGeometry& geometry) {
+  return by_gdal(geometry, geojson_of(geometry), kGeoPackage);
+}
+Expected<LayerText> geopackage_areas_of(const LayerGeometry& geometry) {
+  return by_gdal(geometry, geojson_areas_of(geometry), kGeoPackage);
+}
+Expected<LayerText> flatgeobuf_of(const LayerGeometry& geometry) {
+  return by_gdal(geometry, geojson_of(geometry), kFlatGeobuf);
+}
+Expected<LayerText> flatgeobuf_areas_of(const LayerGeometry& geometry) {
+  return by_gdal(geometry, geojson_areas_of(geometry), kFlatGeobuf);
+}
+
 Expected<LayerText> wkt_of(const LayerGeometry& geometry) {
   return well_known_text_of(geometry, all_shapes_of);
 }

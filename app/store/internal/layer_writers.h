@@ -42,6 +42,12 @@ Expected<LayerText> wkt_of(const LayerGeometry& geometry);
 Expected<LayerText> geojson_areas_of(const LayerGeometry& geometry);
 Expected<LayerText> wkt_areas_of(const LayerGeometry& geometry);
 
+/// The features of GeoJSON and their areas in files by GDAL, in the coordinate system of the map.
+Expected<LayerText> geopackage_of(const LayerGeometry& geometry);
+Expected<LayerText> geopackage_areas_of(const LayerGeometry& geometry);
+Expected<LayerText> flatgeobuf_of(const LayerGeometry& geometry);
+Expected<LayerText> flatgeobuf_areas_of(const LayerGeometry& geometry);
+
 /// DXF of release 12: points, polylines, circles and arcs, each on a layer of the file with the id of theirs. Data of a
 /// map are in its coordinate system; if it is another one than the plane, round shapes are polylines as in GeoJSON.
 Expected<LayerText> dxf_of(const LayerGeometry& geometry);

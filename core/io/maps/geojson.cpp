@@ -68,14 +68,15 @@ class GeoJsonReader {
     return bad_json(text_, at ? at.offset_in(text_) : 0, std::move(text), name_);
   }
 
-  /// Reads the `crs` member of earlier versions of GeoJSON. A name without an authority is that of a plane.
+  /// Reads the `crs` member of earlier versions of GeoJSON. A name without an authority that is no WKT either is that of
+  /// a plane.
   Expected<void> read_system(JsonView whole) {
     const JsonView system = whole.find("crs").find("properties").find("name");
-    constexpr std::size_t kLongest = 256;
+    constexpr std::size_t kLongest = std::size_t{1} << 16U;
     has_system_ = system.is_text() && system.text_length() <= kLongest;
     if (!has_system_) return {};
     const std::string text = system.text();
-    if (!text.contains(':')) {
+    if (!text.contains(':') && !text.contains('[')) {
       shapes_.assume_plane();
       return {};
     }
