@@ -50,10 +50,12 @@ constexpr auto kFileRows = std::to_array<Row>({
     {Id::export_figure, "export-figure", "Export a figure...",
      "Export the view as PDF, SVG, PostScript, Ipe or TikZ, at a given size on paper", "Ctrl+E"},
     {Id::export_center_lines, "export-center-lines", "Export centre lines...",
-     "Write the centre line of each shape, smoothed, with its length and widths, as GeoJSON, WKT, CSV, SVG or DXF"},
+     "Write the centre line of each shape, smoothed, with its length and widths, for maps (GeoJSON, WKT, GeoPackage, "
+     "FlatGeobuf) and drawings (SVG, DXF), or as CSV"},
     {Id::export_cells, "export-cells", "Export Voronoi cells...",
-     "Write the Voronoi cell of each sample as a polygon, as GeoJSON or WKT: within the outline of a map with points "
-     "beside it, else within a box"},
+     "Write the Voronoi cell of each sample as a polygon, as GeoJSON, WKT, GeoPackage or FlatGeobuf: within the "
+     "outline "
+     "of a map with points beside it, else within a box"},
     {Id::quit, "quit", "Quit", "Close the window", "Ctrl+Q"},
 });
 

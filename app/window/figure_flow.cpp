@@ -105,6 +105,8 @@ void FigureFlow::ask_geometry(std::vector<LayerIndex> layers, const LayerTextFor
     uses_.messages.problem("No layer is shown whose geometry could be exported");
     return;
   }
+  const auto lacks = [&](LayerIndex layer) { return !format.holds(uses_.work.layers().descriptor(layer)); };
+  if (!std::ranges::all_of(layers, lacks)) std::erase_if(layers, lacks);
   if (auto good = check_layers(uses_.work.layers().descriptors(), format, layers); !good) {
     uses_.messages.problem(good.error().message());
     return;

@@ -39,7 +39,7 @@ class FigureFlow {
   FigureFlow& operator=(const FigureFlow&) = delete;
 
   void bind(ActionBindings& actions);
-  /// Asks for a file for the geometry of these layers, which are computed again for it.
+  /// Asks for a file for the geometry of those of these layers that the format can hold. They are computed again for it.
   void ask_geometry(std::vector<LayerIndex> layers, const LayerTextFormat& format);
   /// Asks for a file for the centre lines of the shapes; its extension chooses the format.
   void ask_center_lines();

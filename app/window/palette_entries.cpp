@@ -10,6 +10,7 @@
 #include "app/layers/parameter_words.h"
 #include "app/layers/synonyms.h"
 #include "app/panels/bars/interface_sizes.h"
+#include "app/store/layer_text.h"
 #include "core/evolutions/evolution.h"
 
 namespace mes {
@@ -146,6 +147,20 @@ void add_sizes(const Panels::Uses& uses, Entries& out) {
                    .run = [&settings = uses.settings, percent] { settings.interface_scale = percent / 100.0; }});
 }
 
+void add_geometry(const Panels::Uses& uses, Entries& out) {
+  for (const LayerTextFormat& format : layer_text_formats()) {
+    if (!format.is_of_many) continue;
+    out.push_back({.kind = "File",
+                   .name = fmt::format("Export geometry: {}", format.title),
+                   .explanation = fmt::format("All visible layers: {}", format.help),
+                   .words = "save write gis map cad coordinates",
+                   .place = "File > Export geometry",
+                   .run = [&flow = uses.documents, &layers = uses.work.layers(), &format] {
+                     flow.figures().ask_geometry(layers.visible_layers(), format);
+                   }});
+  }
+}
+
 void add_manual(const Panels::Uses& uses, Entries& out) {
   // Words to read come after things that can be done and have about the same name.
   constexpr double kLessThanCommands = -10.0;
@@ -172,6 +187,7 @@ std::vector<PaletteEntry> palette_entries(const Panels::Uses& uses, std::span<co
   add_parameters(uses, out);
   add_evolutions(uses, out);
   add_sizes(uses, out);
+  add_geometry(uses, out);
   add_files(uses, out);
   add_manual(uses, out);
   return out;

@@ -10,9 +10,9 @@
 
 namespace mes {
 
-/// Actions, bundles, layers, parameters, evolutions, shapes, recent files and headings of the manual, as they are now.
-/// Actions that open one of the panels are called so. The action of an entry uses the members of `uses` when it runs.
-/// Cost: O(names).
+/// Actions, bundles, layers, parameters, evolutions, shapes, formats of geometry, recent files and headings of the
+/// manual, as they are now. Actions that open one of the panels are called so. The action of an entry uses the members
+/// of `uses` when it runs. Cost: O(names).
 std::vector<PaletteEntry> palette_entries(const Panels::Uses& uses, std::span<const SidePage> panels);
 
 }  // namespace mes

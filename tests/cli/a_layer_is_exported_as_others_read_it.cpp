@@ -413,7 +413,7 @@ TEST_CASE("cells that cannot be are refused in one line") {
     CHECK_THAT(result.err, Catch::Contains(says));
   };
   refused({"--cells", "circle", "--format", "wkt"}, "0 0\n", 2, "box, hull or outline");
-  refused({"--cells", "box", "--format", "dxf"}, "0 0\n", 2, "geojson or wkt");
+  refused({"--cells", "box", "--format", "dxf"}, "0 0\n", 2, "geojson, wkt, gpkg or fgb");
   refused({"--cells", "box", "--layer", "curve", "--format", "wkt"}, "0 0\n", 2, "one of them");
   refused({"--cells", "outline", "--format", "wkt"}, "0 0\n1 0\n", 2, "no outline");
   refused({"--cells", "hull", "--format", "wkt"}, "0 0\n1 1\n2 2\n", 1, "on a line");

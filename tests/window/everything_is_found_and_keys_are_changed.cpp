@@ -148,3 +148,19 @@ TEST_CASE("an edit of the demo's drawing interrupts the demo, and the demo goes 
   CHECK(eventually([&] { return window.title() == demo; }));
   CHECK(window.program.is_running());
 }
+
+TEST_CASE("a format of geometry is found by its name") {
+  const SearchedWindow window;
+  static_cast<void>(window.drawn());
+  window.press("ctrl+k");
+  static_cast<void>(window.screen.settled());
+  window.screen.xdotool("type --delay 20 'geometry wkt of areas'");
+  static_cast<void>(window.screen.settled());
+  window.press("Return");
+  static_cast<void>(window.screen.settled());
+  // Points are shown too, which have no areas.
+  window.screen.type_over((window.folder / "found.wkt").string());
+  window.press("Return");
+  REQUIRE(eventually([&] { return std::filesystem::exists(window.folder / "found.wkt"); }));
+  CHECK(bytes_of(window.folder / "found.wkt").starts_with("POLYGON"));
+}
