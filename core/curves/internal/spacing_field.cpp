@@ -68,8 +68,15 @@ struct Surroundings {
     double out = widest;
     double bound = widest * widest;
     tree.visit_near(probe.position, bound, [&](std::uint32_t i) {
-      const double away = distance(probe.position, probes[i].position);
-      if (!(away < out) || !is_elsewhere(probe, probes[i], away, step)) return;
+      const Probe& other = probes[i];
+      const double along = other.curve == probe.curve ? along_curve(probe, other) : along_arcs(probe, other);
+      if (!(along > kOwn * step)) return;
+      // Nearly all others are the neighbours along the curve. Squares tell most of them without a root.
+      constexpr double kRounding = 1e-9;
+      const Vec2 gap = other.position - probe.position;
+      if (along * along < (1.0 - kRounding) * kDetour * kDetour * dot(gap, gap)) return;
+      const double away = length(gap);
+      if (!(away < out) || !(along > kDetour * away)) return;
       out = away;
       bound = out <= nearest ? -1.0 : away * away;
     });
@@ -77,10 +84,6 @@ struct Surroundings {
   }
 
  private:
-  bool is_elsewhere(const Probe& probe, const Probe& other, double away, double step) const {
-    const double along = other.curve == probe.curve ? along_curve(probe, other) : along_arcs(probe, other);
-    return along > kDetour * away && along > kOwn * step;
-  }
   double along_curve(const Probe& probe, const Probe& other) const {
     const double along = std::abs(other.along - probe.along);
     return curves[probe.curve].is_closed ? std::min(along, lengths[probe.curve] - along) : along;
