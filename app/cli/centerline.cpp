@@ -3,6 +3,8 @@
 #include <fmt/core.h>
 #include <algorithm>
 #include <array>
+#include <functional>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -19,6 +21,7 @@
 #include "app/insight/center_line_run.h"
 #include "app/store/center_line_text.h"
 #include "core/base/lower_case.h"
+#include "core/base/parallel.h"
 #include "core/graph/registry.h"
 #include "core/io/systems/map_conversion.h"
 #include "core/io/text/text_numbers.h"
@@ -197,51 +200,79 @@ Expected<void> add_lines(const CenterlineJob& job, const CenterLines& found, con
   return {};
 }
 
-/// Samples, computes and adds the lines of one set of outlines.
-Expected<void> process(const Registry& registry, const CenterlineJob& job, const SampleData& data, bool keeps_samples,
-                       const std::string& name, const Feature& feature, Progress& progress, CenterlineResult& out) {
-  const auto in_file = [&](Error error) {
-    if (error.file.empty() && error.code != ErrorCode::usage) error.file = name;
-    return std::unexpected(std::move(error));
-  };
-  if (data.positions.empty()) return in_file({ErrorCode::bad_input, "there are no samples and no curves"});
+/// The lines of one set of outlines, on the plane of their map.
+struct FoundLines {
+  CenterLines lines{};
+  std::optional<MapPlane> map{};
+  std::string remark{};  ///< on the samples; may be empty
+};
+
+std::unexpected<Error> in_file(Error error, const std::string& name) {
+  if (error.file.empty() && error.code != ErrorCode::usage) error.file = name;
+  return std::unexpected(std::move(error));
+}
+
+/// Samples and computes. `on_task` is called with the id of each structure before it begins.
+Expected<FoundLines> find_lines(const Registry& registry, const CenterlineJob& job, const SampleData& data,
+                                bool keeps_samples, const std::string& name,
+                                const std::function<void(std::string_view)>& on_task) {
+  if (data.positions.empty()) return in_file({ErrorCode::bad_input, "there are no samples and no curves"}, name);
   JobControl control;
-  std::string remark;
-  progress.show("sampling", 0.0);
-  const SampleData samples = keeps_samples ? data : samples_for_center_lines(data, control, remark);
-  if (!remark.empty()) say(name + ": " + remark);
+  FoundLines out;
+  const SampleData samples = keeps_samples ? data : samples_for_center_lines(data, control, out.remark);
   CenterLineWish wish = job.wish;
   if (job.between) {
     wish.request.between = job.between;
     if (data.map) {
       const auto to_system = MapConversion::of(*data.map, MapTarget::own_system);
-      if (!to_system) return in_file(to_system.error());
+      if (!to_system) return in_file(to_system.error(), name);
       wish.request.between = {to_system->to_plane(job.between->first), to_system->to_plane(job.between->second)};
       for (const Vec2 end : {wish.request.between->first, wish.request.between->second})
-        if (!is_finite(end)) return in_file({ErrorCode::usage, "--between has a point that is not on the map"});
+        if (!is_finite(end)) return in_file({ErrorCode::usage, "--between has a point that is not on the map"}, name);
     }
   }
-  const auto ids = registry.structures();
-  const auto found = compute_center_lines(registry, samples, wish, control, [&](std::string_view task) {
-    const auto at = std::ranges::find(ids, task) - ids.begin();
-    progress.show(task, static_cast<double>(at) / static_cast<double>(ids.size()));
-  });
-  if (!found) return in_file(found.error());
-  if (auto done = add_lines(job, *found, samples.map, feature, out); !done) return in_file(done.error());
+  auto found = compute_center_lines(registry, samples, wish, control, on_task);
+  if (!found) return in_file(found.error(), name);
+  out.lines = *std::move(found);
+  out.map = samples.map;
+  return out;
+}
+
+/// Adds lines to the result. `found` may be an error, which is then returned.
+Expected<void> take_lines(const CenterlineJob& job, const Expected<FoundLines>& found, const std::string& name,
+                          const Feature& feature, CenterlineResult& out) {
+  if (!found) return std::unexpected(found.error());
+  if (!found->remark.empty()) say(name + ": " + found->remark);
+  if (auto done = add_lines(job, found->lines, found->map, feature, out); !done) return in_file(done.error(), name);
   return {};
 }
 
-/// Each feature by itself. Error: the file is no GeoJSON, or no feature has a line.
+/// Each feature by itself, on all cores, with lines and messages in the order of the features. Error: no feature has a
+/// line.
 Expected<void> process_features(const Registry& registry, const CenterlineRequest& request, const CenterlineJob& job,
                                 const FeatureList& list, Progress& progress, CenterlineResult& out) {
+  std::vector<Expected<FoundLines>> found(list.features.size());
+  std::mutex progress_mutex;
+  std::size_t finished = 0;
+  run_tasks(list.features.size(), [&](std::size_t i) {
+    const Feature& feature = list.features[i];
+    const auto loaded = read_input_bytes(registry, feature.text, feature.name, "geojson", request.reading);
+    if (loaded) {
+      found[i] = find_lines(registry, job, loaded->data, request.reading.keeps_vertices, feature.name, {});
+    } else {
+      // Lines and columns would be those of the feature alone.
+      Error error = loaded.error();
+      error.line = error.column = 0;
+      found[i] = std::unexpected(std::move(error));
+    }
+    const std::lock_guard lock(progress_mutex);
+    progress.show("features", static_cast<double>(++finished) / static_cast<double>(found.size()));
+  });
   std::optional<Error> first;
-  for (const Feature& feature : list.features) {
-    auto loaded = read_input_bytes(registry, feature.text, feature.name, "geojson", request.reading);
-    // Lines and columns would be those of the feature alone.
-    if (!loaded) loaded.error().line = loaded.error().column = 0;
-    auto done = loaded ? process(registry, job, loaded->data, request.reading.keeps_vertices, feature.name, feature,
-                                 progress, out)
-                       : Expected<void>(std::unexpected(loaded.error()));
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const Feature& feature = list.features[i];
+    const auto done = take_lines(job, found[i], feature.name, feature, out);
+    found[i] = FoundLines{};
     if (done) continue;
     if (done.error().code == ErrorCode::usage) return done;
     say(done.error().message());
@@ -283,9 +314,14 @@ Expected<void> run_centerline(const Registry& registry, const CenterlineRequest&
       sources = input->sources;
       // The user of a session has chosen its samples, so they stay.
       const bool keeps_samples = request.reading.keeps_vertices || input->session != nullptr;
-      if (auto done = process(registry, *job, input->data, keeps_samples, request.file, Feature{}, progress, result);
-          !done)
-        return done;
+      const auto ids = registry.structures();
+      progress.show("sampling", 0.0);
+      const auto found =
+          find_lines(registry, *job, input->data, keeps_samples, request.file, [&](std::string_view task) {
+            const auto at = std::ranges::find(ids, task) - ids.begin();
+            progress.show(task, static_cast<double>(at) / static_cast<double>(ids.size()));
+          });
+      if (auto done = take_lines(*job, found, request.file, Feature{}, result); !done) return done;
     }
   }
   const bool is_table = job->every > 0.0 && job->format->name == "csv";

@@ -198,6 +198,41 @@ TEST_CASE("lines of a map in degrees are in degrees, and feature by feature with
   CHECK_THAT(line_fault(2, {file, "--between", "9,50", "20,60"}), Catch::Contains("two shapes"));
 }
 
+TEST_CASE("lines and messages are in the order of the features, whichever is finished first") {
+  // Each third feature is a square, which has no line, and the others are of very different size.
+  Json features = Json::array();
+  for (int i = 0; i < 30; ++i) {
+    const double x = 9.0 + 0.1 * i;
+    const double wide = i % 3 == 0 ? 0.01 : 0.05;
+    const double high = i % 3 == 0 ? 0.01 * 0.6445 : 0.05 / (2.0 + i);
+    const Json ring =
+        Json::array({{x, 50.0}, {x + wide, 50.0}, {x + wide, 50.0 + high}, {x, 50.0 + high}, {x, 50.0}});
+    features.push_back({{"type", "Feature"},
+                        {"id", i},
+                        {"properties", Json::object()},
+                        {"geometry", {{"type", "Polygon"}, {"coordinates", Json::array({ring})}}}});
+  }
+  const TemporaryFolder folder;
+  const Json map{{"type", "FeatureCollection"}, {"features", features}};
+  const RunResult apart = run({"centerline", folder.write("map.json", map.dump()).string(), "--each"});
+  INFO(apart.err);
+  REQUIRE(apart.exit_code == 0);
+  const Json lines = Json::parse(apart.out)["features"];
+  int last = -1;
+  for (const Json& line : lines) {
+    CHECK(line["id"].get<int>() > last);
+    last = line["id"];
+  }
+  std::istringstream messages(apart.err);
+  std::vector<int> without;
+  for (std::string message; std::getline(messages, message);)
+    if (const auto at = message.find(", id "); at != std::string::npos)
+      without.push_back(std::stoi(message.substr(at + 5)));
+  CHECK(without.size() + lines.size() == 30);
+  CHECK(without.size() > 5);
+  CHECK(std::ranges::is_sorted(without));
+}
+
 TEST_CASE("the samples of a session stay, and those of a drawing are taken again") {
   const TemporaryFolder folder;
   const std::string strip = folder.write("strip.wkt", kStrip).string();
