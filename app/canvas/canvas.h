@@ -7,8 +7,8 @@
 #include <optional>
 
 #include "app/canvas/tools/tool.h"
-#include "app/model/pane_places.h"
-#include "app/model/pane_views.h"
+#include "app/panes/pane_places.h"
+#include "app/panes/pane_views.h"
 
 namespace mes {
 

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "app/model/scale_marks.h"
+#include "app/settings/scale_marks.h"
 #include "core/base/error.h"
 #include "core/io/session/session.h"
 

@@ -10,7 +10,7 @@
 #include "app/cli/picture_request.h"
 #include "app/cli/requests.h"
 #include "app/export/page_size.h"
-#include "app/model/paper_place.h"
+#include "app/settings/paper_place.h"
 #include "core/curves/sampling.h"
 #include "core/document/computation_settings.h"
 #include "core/document/parameter.h"

@@ -13,7 +13,7 @@
 #include "app/cli/output.h"
 #include "app/cli/session_settings.h"
 #include "app/cli/style_request.h"
-#include "app/model/figure_settings.h"
+#include "app/settings/figure_settings.h"
 #include "core/base/lower_case.h"
 #include "core/graph/registry.h"
 #include "core/io/text/text_numbers.h"

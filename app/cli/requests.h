@@ -11,7 +11,7 @@
 #include "app/cli/film.h"
 #include "app/cli/interruption.h"
 #include "app/cli/manual.h"
-#include "app/model/scale_marks.h"
+#include "app/settings/scale_marks.h"
 #include "core/base/error.h"
 
 namespace mes {

@@ -24,7 +24,7 @@
 #include "app/export/computation.h"
 #include "app/export/shown_layers.h"
 #include "app/layers/layer_stack.h"
-#include "app/model/pane_list.h"
+#include "app/panes/pane_list.h"
 #include "core/document/commands.h"
 #include "core/document/computation_settings.h"
 #include "core/draw/layer_mirror.h"

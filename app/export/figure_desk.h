@@ -14,7 +14,7 @@
 
 #include "app/export/comparison.h"
 #include "app/export/figure.h"
-#include "app/model/figure_settings.h"
+#include "app/settings/figure_settings.h"
 #include "app/system/background_job.h"
 #include "core/document/commands.h"
 #include "core/document/computation_settings.h"

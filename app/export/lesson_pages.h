@@ -24,10 +24,10 @@
 
 #include "app/export/figure.h"
 #include "app/layers/legend_scope.h"
-#include "app/model/scale_marks.h"
 #include "app/picture/caption_text.h"
 #include "app/picture/paper_drawing.h"
 #include "app/playing/lesson_walk.h"
+#include "app/settings/scale_marks.h"
 #include "core/base/color.h"
 #include "core/base/error.h"
 #include "core/io/session/session.h"

@@ -14,7 +14,7 @@
 
 #include <optional>
 
-#include "app/model/settings.h"
+#include "app/settings/settings.h"
 #include "core/base/color.h"
 #include "core/draw/layer_descriptor.h"
 

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/model/round_numbers.h"
 #include "app/picture/canvas_look.h"
 #include "app/picture/internal/legend_entries.h"
 #include "app/picture/internal/small_text.h"
+#include "core/io/text/round_numbers.h"
 
 namespace mes {
 namespace {

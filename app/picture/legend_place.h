@@ -29,9 +29,9 @@
 #include <span>
 #include <utility>
 
-#include "app/model/paper_place.h"
 #include "app/picture/legend.h"
 #include "app/picture/paper_drawing.h"
+#include "app/settings/paper_place.h"
 #include "core/base/box2.h"
 
 namespace mes {

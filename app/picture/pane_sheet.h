@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-#include "app/model/pane_list.h"
+#include "app/panes/pane_list.h"
 #include "app/picture/paper_drawing.h"
 #include "core/base/color.h"
 #include "core/base/vec2.h"

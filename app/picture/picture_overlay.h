@@ -16,9 +16,9 @@
 #include <string>
 #include <vector>
 
-#include "app/model/scale_marks.h"
 #include "app/picture/annotation_drawing.h"
 #include "app/picture/legend_place.h"
+#include "app/settings/scale_marks.h"
 #include "core/base/color.h"
 #include "render/camera.h"
 #include "render/image.h"

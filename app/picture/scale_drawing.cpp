@@ -6,8 +6,8 @@
 #include <limits>
 #include <utility>
 
-#include "app/model/round_numbers.h"
 #include "app/picture/internal/small_text.h"
+#include "core/io/text/round_numbers.h"
 
 namespace mes {
 namespace {

@@ -14,8 +14,8 @@
 #include <string>
 #include <utility>
 
-#include "app/model/scale_marks.h"
 #include "app/picture/paper_drawing.h"
+#include "app/settings/scale_marks.h"
 #include "core/base/box2.h"
 #include "core/document/document.h"
 #include "render/camera.h"

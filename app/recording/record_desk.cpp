@@ -9,6 +9,7 @@
 #include <system_error>
 #include <utility>
 
+#include "app/recording/frame_view.h"
 #include "app/recording/picture_clipboard.h"
 #include "core/io/carried_session.h"
 #include "render/png.h"

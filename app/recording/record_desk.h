@@ -11,13 +11,14 @@
 #include <optional>
 #include <string>
 
-#include "app/model/messages.h"
-#include "app/model/record_settings.h"
+#include "app/actions/messages.h"
+#include "app/panes/view_motion.h"
 #include "app/picture/pane_sheet.h"
 #include "app/picture/picture.h"
 #include "app/recording/frame_writer.h"
 #include "app/recording/recorder.h"
 #include "app/recording/video.h"
+#include "app/settings/record_settings.h"
 #include "app/system/background_job.h"
 #include "core/io/session/session.h"
 #include "render/frame_capture.h"

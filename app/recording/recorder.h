@@ -23,8 +23,8 @@
 #include <vector>
 
 #include "app/layers/legend_scope.h"
-#include "app/model/pane_list.h"
-#include "app/model/scale_marks.h"
+#include "app/panes/pane_list.h"
+#include "app/settings/scale_marks.h"
 #include "core/document/computation_settings.h"
 #include "core/document/timeline.h"
 #include "core/draw/layer_descriptor.h"

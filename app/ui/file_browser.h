@@ -10,10 +10,10 @@
 #include <utility>
 #include <vector>
 
-#include "app/model/file_list.h"
 #include "app/system/background_job.h"
 #include "app/system/desktop_dialog.h"
 #include "app/ui/dialog.h"
+#include "app/ui/file_list.h"
 #include "app/ui/name_field.h"
 #include "core/graph/live_registry.h"
 

@@ -8,7 +8,7 @@
 #include <optional>
 #include <string>
 
-#include "app/model/typed_number.h"
+#include "app/ui/typed_number.h"
 
 namespace mes {
 

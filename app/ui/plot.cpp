@@ -7,8 +7,8 @@
 #include <limits>
 #include <utility>
 
-#include "app/model/round_numbers.h"
 #include "app/ui/theme.h"
+#include "core/io/text/round_numbers.h"
 
 namespace mes {
 namespace {

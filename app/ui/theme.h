@@ -2,7 +2,7 @@
 // The look of the panels: light or dark, quiet, legible from the last row of a lecture room.
 #pragma once
 
-#include "app/model/settings.h"
+#include "app/settings/settings.h"
 #include "core/base/color.h"
 #include "imgui.h"
 

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "app/export/carried.h"
-#include "app/model/memory_problem.h"
+#include "app/window/memory_problem.h"
 #include "app/window/selection_actions.h"
 #include "core/engine/sampling_verdict.h"
 

@@ -7,9 +7,9 @@
 #include <memory>
 
 #include "app/actions/action_bindings.h"
-#include "app/model/messages.h"
-#include "app/model/settings_file.h"
+#include "app/actions/messages.h"
 #include "app/panels/dialogs/dialogs.h"
+#include "app/settings/settings_file.h"
 #include "app/system/termination.h"
 #include "app/system/waker.h"
 #include "app/ui/screen.h"

@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
-#include "app/model/messages.h"
-#include "app/model/view_fitter.h"
+#include "app/actions/messages.h"
+#include "app/panes/view_fitter.h"
 #include "app/playing/playback.h"
 #include "app/ui/gui.h"
 #include "app/window/workspace.h"

@@ -23,7 +23,7 @@
 #include <vector>
 
 #include "app/export/comparison.h"
-#include "app/model/pane_list.h"
+#include "app/panes/pane_list.h"
 #include "app/picture/picture.h"
 #include "app/system/background_job.h"
 

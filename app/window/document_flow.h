@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "app/actions/action_bindings.h"
-#include "app/model/refusal.h"
-#include "app/model/settings.h"
+#include "app/actions/refusal.h"
 #include "app/panels/dialogs/dialogs.h"
+#include "app/settings/settings.h"
 #include "app/store/file_desk.h"
 #include "app/store/lessons.h"
 #include "app/store/sample_shapes.h"

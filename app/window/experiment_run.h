@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "app/actions/action_bindings.h"
+#include "app/actions/messages.h"
 #include "app/experiments/experiment_desk.h"
-#include "app/model/messages.h"
-#include "app/model/settings.h"
 #include "app/panels/dialogs/dialogs.h"
+#include "app/settings/settings.h"
 #include "app/system/waker.h"
 #include "app/window/workspace.h"
 

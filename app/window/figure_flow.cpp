@@ -9,7 +9,7 @@
 #include "app/export/cell_export.h"
 #include "app/export/geometry_export.h"
 #include "app/insight/center_line_run.h"
-#include "app/model/record_settings.h"
+#include "app/recording/frame_view.h"
 #include "app/store/center_line_text.h"
 #include "core/base/assert.h"
 #include "core/base/lower_case.h"

@@ -9,9 +9,9 @@
 
 #include "app/actions/action_bindings.h"
 #include "app/export/figure_desk.h"
-#include "app/model/settings.h"
 #include "app/panels/dialogs/dialogs.h"
 #include "app/recording/lesson_export.h"
+#include "app/settings/settings.h"
 #include "app/store/layer_text.h"
 #include "app/system/background_job.h"
 #include "app/window/drawing_board.h"

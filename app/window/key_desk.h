@@ -5,8 +5,8 @@
 #include <filesystem>
 
 #include "app/actions/action_bindings.h"
-#include "app/model/messages.h"
-#include "app/model/settings.h"
+#include "app/actions/messages.h"
+#include "app/settings/settings.h"
 
 namespace mes {
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <thread>
 
-#include "app/model/messages.h"
+#include "app/actions/messages.h"
 #include "app/store/document_link.h"
 #include "app/window/workspace.h"
 

@@ -6,8 +6,8 @@
 #include <functional>
 
 #include "app/actions/action_bindings.h"
-#include "app/model/settings.h"
 #include "app/recording/record_desk.h"
+#include "app/settings/settings.h"
 #include "app/window/demo_run.h"
 #include "app/window/drawing_board.h"
 #include "app/window/lesson_run.h"

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "app/model/palette.h"
+#include "app/actions/palette.h"
 #include "app/window/panels.h"
 
 namespace mes {

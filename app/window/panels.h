@@ -6,7 +6,7 @@
 #include <span>
 
 #include "app/actions/action_bindings.h"
-#include "app/model/palette.h"
+#include "app/actions/palette.h"
 #include "app/panels/bars/menu_bar.h"
 #include "app/panels/bars/side_column.h"
 #include "app/panels/bars/status_bar.h"

@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "app/model/refusal.h"
+#include "app/actions/refusal.h"
 
 namespace mes {
 namespace {

@@ -6,9 +6,9 @@
 #include <string>
 
 #include "app/actions/action_bindings.h"
+#include "app/actions/messages.h"
 #include "app/editing/selection_desk.h"
-#include "app/model/messages.h"
-#include "app/model/settings.h"
+#include "app/settings/settings.h"
 
 namespace mes {
 

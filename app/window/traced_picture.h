@@ -5,9 +5,9 @@
 #include <filesystem>
 #include <functional>
 
+#include "app/actions/messages.h"
 #include "app/editing/editor.h"
 #include "app/layers/layer_stack.h"
-#include "app/model/messages.h"
 #include "app/picture/picture.h"
 #include "app/store/background_loader.h"
 #include "app/system/waker.h"

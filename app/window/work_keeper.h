@@ -5,8 +5,8 @@
 #include <functional>
 #include <optional>
 
+#include "app/actions/messages.h"
 #include "app/editing/surroundings.h"
-#include "app/model/messages.h"
 #include "app/store/autosave.h"
 #include "app/system/background_job.h"
 #include "app/window/workspace.h"

@@ -4,7 +4,7 @@
 #include <new>
 
 #include "app/editing/place_index.h"
-#include "app/model/memory_problem.h"
+#include "app/window/memory_problem.h"
 #include "core/base/rng.h"
 #include "core/builtins/builtins.h"
 #include "core/document/commands.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <catch2/catch.hpp>
 
-#include "app/model/record_settings.h"
+#include "app/recording/frame_view.h"
 #include "app/recording/recorder.h"
 
 using namespace mes;

@@ -2,9 +2,9 @@
 #include <catch2/catch.hpp>
 #include <vector>
 
+#include "app/actions/messages.h"
 #include "app/insight/computation_control.h"
 #include "app/insight/parameter_animation.h"
-#include "app/model/messages.h"
 #include "core/builtins/builtins.h"
 
 using namespace mes;

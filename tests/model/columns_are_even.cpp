@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 #include <vector>
 
-#include "app/model/even_columns.h"
+#include "app/ui/even_columns.h"
 #include "core/base/rng.h"
 
 using namespace mes;

@@ -7,7 +7,7 @@
 #include "app/canvas/tools/select_tool.h"
 #include "app/editing/contour_desk.h"
 #include "app/editing/source_selection.h"
-#include "app/model/update_hold.h"
+#include "app/editing/update_hold.h"
 #include "tests/support/bell.h"
 #include "tests/support/builtin_layers.h"
 

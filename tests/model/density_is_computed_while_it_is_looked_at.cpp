@@ -5,7 +5,7 @@
 #include <string>
 
 #include "app/editing/editor.h"
-#include "app/model/engine_demand.h"
+#include "app/panes/engine_demand.h"
 #include "app/window/workspace.h"
 #include "core/builtins/builtins.h"
 #include "core/engine/sampling_verdict.h"

@@ -4,9 +4,9 @@
 #include <set>
 
 #include "app/actions/actions.h"
+#include "app/actions/palette.h"
 #include "app/layers/parameter_words.h"
 #include "app/layers/synonyms.h"
-#include "app/model/palette.h"
 #include "core/base/lower_case.h"
 #include "tests/support/builtin_layers.h"
 

@@ -3,8 +3,8 @@
 #include <catch2/catch.hpp>
 
 #include "app/actions/actions.h"
-#include "app/model/fuzzy_match.h"
-#include "app/model/palette.h"
+#include "app/actions/fuzzy_match.h"
+#include "app/actions/palette.h"
 #include "core/base/lower_case.h"
 #include "tests/support/builtin_layers.h"
 

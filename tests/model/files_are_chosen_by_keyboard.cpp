@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "app/model/file_list.h"
+#include "app/ui/file_list.h"
 #include "tests/io/temporary_folder.h"
 
 using namespace mes;

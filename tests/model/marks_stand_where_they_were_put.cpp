@@ -4,8 +4,8 @@
 #include <catch2/catch.hpp>
 #include <string>
 
-#include "app/model/paper_place.h"
 #include "app/picture/scale_drawing.h"
+#include "app/settings/paper_place.h"
 #include "core/base/rng.h"
 #include "tests/model/letters_of_one_width.h"
 

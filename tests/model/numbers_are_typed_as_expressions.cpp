@@ -4,8 +4,8 @@
 #include <cmath>
 #include <string>
 
-#include "app/model/typed_number.h"
 #include "app/ui/number_field.h"
+#include "app/ui/typed_number.h"
 #include "imgui.h"
 
 using namespace mes;

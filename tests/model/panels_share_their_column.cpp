@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/model/panel_choice.h"
+#include "app/settings/panel_choice.h"
 #include "core/base/rng.h"
 
 using namespace mes;

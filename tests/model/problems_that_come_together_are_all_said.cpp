@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "app/model/messages.h"
-#include "app/model/refusal.h"
+#include "app/actions/messages.h"
+#include "app/actions/refusal.h"
 
 using namespace mes;
 

@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "app/model/settings.h"
+#include "app/settings/settings.h"
 #include "app/store/sample_shapes.h"
 
 using namespace mes;

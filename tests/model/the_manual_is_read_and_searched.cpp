@@ -6,8 +6,8 @@
 #include <regex>
 #include <sstream>
 
-#include "app/model/manual_layout.h"
-#include "app/model/manual_text.h"
+#include "app/actions/manual_layout.h"
+#include "app/actions/manual_text.h"
 #include "core/base/lower_case.h"
 
 using namespace mes;

@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "app/editing/editor.h"
-#include "app/model/view_fitter.h"
+#include "app/panes/view_fitter.h"
 
 using namespace mes;
 

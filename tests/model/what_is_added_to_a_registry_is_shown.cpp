@@ -16,7 +16,7 @@
 #include "app/layers/changed_parameters.h"
 #include "app/layers/empty_view.h"
 #include "app/layers/layer_list.h"
-#include "app/model/engine_demand.h"
+#include "app/panes/engine_demand.h"
 #include "app/playing/lesson_walk.h"
 #include "app/playing/player.h"
 #include "app/playing/session_evolution.h"

@@ -12,7 +12,7 @@
 #include <functional>
 #include <set>
 
-#include "app/model/settings_file.h"
+#include "app/settings/settings_file.h"
 #include "app/store/bundles.h"
 #include "core/io/files/file_lock.h"
 #include "tests/io/temporary_folder.h"

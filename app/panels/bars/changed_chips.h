@@ -2,9 +2,9 @@
 // Chips in the status bar: one per parameter that is not at its default; a click resets it.
 #pragma once
 
+#include "app/actions/messages.h"
 #include "app/insight/computation_control.h"
 #include "app/layers/changed_parameters.h"
-#include "app/model/messages.h"
 #include "app/ui/gui.h"
 
 namespace mes {

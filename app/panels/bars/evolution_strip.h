@@ -3,7 +3,7 @@
 #pragma once
 
 #include "app/actions/action_bindings.h"
-#include "app/model/messages.h"
+#include "app/actions/messages.h"
 #include "app/playing/evolution_player.h"
 #include "app/playing/step_events.h"
 #include "app/ui/gui.h"

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "app/model/settings.h"
+#include "app/settings/settings.h"
 
 namespace mes {
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <glm/gtc/type_ptr.hpp>
 
-#include "app/model/record_settings.h"
+#include "app/settings/record_settings.h"
 #include "app/ui/icons.h"
 #include "app/ui/number_field.h"
 #include "app/ui/paragraph.h"

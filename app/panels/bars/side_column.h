@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/actions/action_bindings.h"
-#include "app/model/settings.h"
+#include "app/settings/settings.h"
 #include "app/ui/icons.h"
 #include "app/ui/widgets.h"
 

@@ -2,10 +2,10 @@
 // A line at the bottom of the window: hint or last message, work in progress, counts, coordinates.
 #pragma once
 
+#include "app/actions/messages.h"
 #include "app/canvas/canvas.h"
 #include "app/editing/editor.h"
 #include "app/insight/computation_control.h"
-#include "app/model/messages.h"
 #include "app/panels/bars/verdict.h"
 #include "app/panels/bars/work_in_progress.h"
 #include "app/picture/picture.h"

@@ -4,8 +4,8 @@
 
 #include "app/actions/action_bindings.h"
 #include "app/canvas/canvas.h"
-#include "app/model/settings.h"
 #include "app/panels/bars/record_popup.h"
+#include "app/settings/settings.h"
 #include "app/ui/gui.h"
 
 namespace mes {

@@ -3,9 +3,9 @@
 #pragma once
 
 #include "app/actions/action_bindings.h"
+#include "app/editing/update_hold.h"
 #include "app/experiments/experiment_desk.h"
 #include "app/insight/parameter_sweep.h"
-#include "app/model/update_hold.h"
 #include "app/recording/lesson_export.h"
 #include "app/recording/record_desk.h"
 #include "app/store/file_desk.h"

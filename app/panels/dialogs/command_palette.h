@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/model/palette.h"
+#include "app/actions/palette.h"
 #include "app/ui/dialog.h"
 #include "app/ui/name_field.h"
 

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "app/model/even_columns.h"
+#include "app/ui/even_columns.h"
 #include "app/ui/icons.h"
 #include "app/ui/paragraph.h"
 #include "app/ui/widgets.h"

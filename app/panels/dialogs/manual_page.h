@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "app/actions/keymap.h"
-#include "app/model/manual_layout.h"
-#include "app/model/manual_text.h"
+#include "app/actions/manual_layout.h"
+#include "app/actions/manual_text.h"
 #include "app/ui/dialog.h"
 #include "app/ui/name_field.h"
 #include "core/graph/live_registry.h"

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "app/actions/action_bindings.h"
-#include "app/model/messages.h"
+#include "app/actions/messages.h"
 #include "app/store/bundle_desk.h"
 #include "app/ui/name_field.h"
 #include "app/ui/widgets.h"

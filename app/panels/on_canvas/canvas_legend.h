@@ -7,9 +7,9 @@
 #include <optional>
 
 #include "app/layers/layer_stack.h"
-#include "app/model/paper_place.h"
 #include "app/picture/picture.h"
 #include "app/picture/scale_drawing.h"
+#include "app/settings/paper_place.h"
 #include "app/ui/gui.h"
 
 namespace mes {

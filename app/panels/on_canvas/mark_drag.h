@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "app/model/paper_place.h"
+#include "app/settings/paper_place.h"
 #include "app/ui/gui.h"
 
 namespace mes {

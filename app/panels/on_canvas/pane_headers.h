@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "app/actions/action_bindings.h"
-#include "app/model/pane_list.h"
-#include "app/model/pane_places.h"
+#include "app/panes/pane_list.h"
+#include "app/panes/pane_places.h"
 #include "app/playing/evolution_player.h"
 #include "app/store/bundle_desk.h"
 #include "app/ui/gui.h"

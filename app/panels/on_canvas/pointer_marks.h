@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "app/canvas/canvas.h"
-#include "app/model/update_hold.h"
+#include "app/editing/update_hold.h"
 #include "app/panels/on_canvas/pane_part.h"
 #include "app/ui/gui.h"
 #include "core/base/color.h"

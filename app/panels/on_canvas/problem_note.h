@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "app/model/messages.h"
+#include "app/actions/messages.h"
 #include "app/panels/on_canvas/note_room.h"
 #include "app/ui/gui.h"
 

@@ -2,7 +2,7 @@
 // Shows why a key had no effect while the status bar is hidden.
 #pragma once
 
-#include "app/model/messages.h"
+#include "app/actions/messages.h"
 #include "app/ui/gui.h"
 
 namespace mes {

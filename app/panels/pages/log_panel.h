@@ -2,7 +2,7 @@
 // The program's messages since it was started.
 #pragma once
 
-#include "app/model/messages.h"
+#include "app/actions/messages.h"
 #include "app/ui/gui.h"
 
 namespace mes {

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "app/actions/messages.h"
 #include "app/editing/editor.h"
 #include "app/insight/computation_control.h"
 #include "app/insight/critical_values.h"
@@ -11,7 +12,6 @@
 #include "app/insight/persistence_desk.h"
 #include "app/insight/scale_events.h"
 #include "app/layers/layer_stack.h"
-#include "app/model/messages.h"
 #include "app/picture/picture.h"
 #include "app/ui/gui.h"
 #include "app/ui/mark_band.h"

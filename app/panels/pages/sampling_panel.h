@@ -4,9 +4,9 @@
 #pragma once
 
 #include "app/actions/action_bindings.h"
+#include "app/actions/messages.h"
 #include "app/canvas/canvas.h"
 #include "app/editing/resample_desk.h"
-#include "app/model/messages.h"
 #include "app/picture/picture.h"
 #include "app/ui/gui.h"
 

@@ -6,10 +6,10 @@
 #include <string>
 
 #include "app/actions/action_bindings.h"
+#include "app/actions/messages.h"
+#include "app/actions/refusal.h"
 #include "app/canvas/canvas.h"
 #include "app/editing/selection_desk.h"
-#include "app/model/messages.h"
-#include "app/model/refusal.h"
 #include "app/ui/gui.h"
 
 namespace mes {
