@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Which rooms there are, and which others each of them may include. A room is a folder; what
-# lies in its folder `internal` is for that room only. Every room comes after those it uses, so no arrow leads back. `core/*`
-# stands for all rooms below core but core/builtins, which only app/main.cpp and the library name: everything else reads a
-# registry that it is given. Run at each configuration, and as a test:
+# Which rooms there are, and which others each of them may include. A room is a folder; what lies in its folder
+# `internal`, or in folders in it, is for that room only. Every room comes after those it uses, so no arrow leads back.
+# `core/*` stands for all rooms below core but core/builtins, which only app/main.cpp and the library name: everything
+# else reads a registry that it is given. Run at each configuration, and as a test:
 #
 #   cmake -DROOT=. -P cmake/rooms.cmake
 cmake_policy(VERSION 3.25)
@@ -114,8 +114,9 @@ foreach(line IN LISTS rooms)
   list(REMOVE_DUPLICATES below_${room})
   list(APPEND known ${room})
 
-  file(GLOB sources ${ROOT}/${room}/*.h ${ROOT}/${room}/*.cpp ${ROOT}/${room}/internal/*.h
-       ${ROOT}/${room}/internal/*.cpp)
+  file(GLOB sources ${ROOT}/${room}/*.h ${ROOT}/${room}/*.cpp)
+  file(GLOB_RECURSE internal ${ROOT}/${room}/internal/*.h ${ROOT}/${room}/internal/*.cpp)
+  list(APPEND sources ${internal})
   if(sources STREQUAL "")
     list(APPEND problems "cmake/rooms.cmake: ${room} is empty")
   endif()
@@ -123,7 +124,7 @@ foreach(line IN LISTS rooms)
     file(STRINGS ${source} includes REGEX "^#include \"(app|core|render)/")
     foreach(include IN LISTS includes)
       string(REGEX REPLACE "^#include \"(.*)/[^/]*\".*$" "\\1" used "${include}")
-      string(REGEX REPLACE "^${room}/internal$" "${room}" used "${used}")
+      string(REGEX REPLACE "^${room}/internal(/.*)?$" "${room}" used "${used}")
       if(NOT used MATCHES "^(${pattern})$")
         file(RELATIVE_PATH name ${ROOT} ${source})
         list(APPEND problems "${name}: ${room} may not include from ${used}")
@@ -136,7 +137,7 @@ file(GLOB_RECURSE everything RELATIVE ${ROOT} ${ROOT}/app/*.h ${ROOT}/app/*.cpp 
      ${ROOT}/render/*.h ${ROOT}/render/*.cpp)
 foreach(source IN LISTS everything)
   get_filename_component(room ${source} DIRECTORY)
-  string(REGEX REPLACE "/internal$" "" room "${room}")
+  string(REGEX REPLACE "/internal(/.*)?$" "" room "${room}")
   if(NOT room IN_LIST known)
     list(APPEND problems "${source}: ${room} is not a room of cmake/rooms.cmake")
   endif()

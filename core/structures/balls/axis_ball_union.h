@@ -10,7 +10,7 @@
 
 #include "core/structures/balls/ball_sampling.h"
 #include "core/structures/balls/ball_union.h"
-#include "core/structures/balls/internal/scale_hairs.h"
+#include "core/structures/balls/internal/sampling/scale_hairs.h"
 #include "core/structures/balls/scale_axis.h"
 
 namespace mes {

@@ -10,7 +10,7 @@
 
 #include "core/graph/structure.h"
 #include "core/structures/balls/ball_union.h"
-#include "core/structures/balls/internal/ball_births.h"
+#include "core/structures/balls/internal/growth/ball_births.h"
 #include "core/structures/balls/local_balls.h"
 
 namespace mes {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "core/structures/balls/ball_union.h"
-#include "core/structures/balls/internal/ball_halving.h"
-#include "core/structures/balls/internal/sampled_balls.h"
+#include "core/structures/balls/internal/sampling/ball_halving.h"
+#include "core/structures/balls/internal/sampling/sampled_balls.h"
 
 namespace mes {
 

@@ -8,7 +8,7 @@
 
 #include "core/graph/structure.h"
 #include "core/structures/balls/ball_family.h"
-#include "core/structures/balls/internal/sample_union.h"
+#include "core/structures/balls/internal/shortcut/sample_union.h"
 #include "core/structures/balls/internal/union_runs.h"
 #include "core/structures/balls/internal/union_tables.h"
 #include "core/structures/inputs/settings_source.h"

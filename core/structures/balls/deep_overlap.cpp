@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/structures/balls/internal/union_numbers.h"
+#include "core/structures/balls/internal/numbers/union_numbers.h"
 
 namespace mes {
 namespace {

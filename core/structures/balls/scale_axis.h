@@ -5,8 +5,8 @@
 
 #include "core/structures/balls/ball_sampling.h"
 #include "core/structures/balls/ball_union.h"
-#include "core/structures/balls/internal/ball_halving.h"
-#include "core/structures/balls/internal/scale_hairs.h"
+#include "core/structures/balls/internal/sampling/ball_halving.h"
+#include "core/structures/balls/internal/sampling/scale_hairs.h"
 
 namespace mes {
 

@@ -14,7 +14,7 @@
 #include "core/base/rng.h"
 #include "core/graph/size_refusal.h"
 #include "core/structures/balls/axis_ball_union.h"
-#include "core/structures/balls/internal/ball_halving.h"
+#include "core/structures/balls/internal/sampling/ball_halving.h"
 #include "core/structures/balls/scale_axis.h"
 #include "tests/support/shapes.h"
 #include "tests/support/workbench.h"

@@ -8,8 +8,8 @@
 
 #include "core/base/rng.h"
 #include "core/kernel/root_sign.h"
-#include "core/structures/balls/internal/crossing_kernel.h"
-#include "core/structures/balls/internal/root_numbers.h"
+#include "core/structures/balls/internal/crossings/crossing_kernel.h"
+#include "core/structures/balls/internal/numbers/root_numbers.h"
 
 using namespace mes;
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "core/base/rng.h"
-#include "core/structures/balls/internal/scale_hairs.h"
+#include "core/structures/balls/internal/sampling/scale_hairs.h"
 #include "tests/support/workbench.h"
 
 using namespace mes;
