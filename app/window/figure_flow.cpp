@@ -24,7 +24,7 @@ FigureFlow::FigureFlow(Uses uses, Waker wake)
       lesson_(std::move(wake)) {
   uses_.dialogs.figure.set_uses({.desk = desk_,
                                  .settings = uses_.settings.figure,
-                                 .ask_file = [this] { ask_file(); },
+                                 .ask_file = [this] { ask_figure(); },
                                  .texture = [this] { return texture(); },
                                  .closed =
                                      [this] {
@@ -89,15 +89,40 @@ std::string FigureFlow::document_name() const {
   return name;
 }
 
-void FigureFlow::ask_file() {
-  const std::string& extension = uses_.settings.figure.extension;
-  const auto save = [this](const std::filesystem::path& file) {
-    uses_.settings.last_folder = file.parent_path().string();
+void FigureFlow::ask_file_for(const std::string& heading, const std::string& suffix,
+                              const std::vector<std::string>& extensions,
+                              std::function<void(const std::filesystem::path&)> write) {
+  uses_.dialogs.browser.ask_save(uses_.folder(), document_name() + suffix + extensions.front(),
+                                 [this, write = std::move(write)](const std::filesystem::path& file) {
+                                   uses_.settings.last_folder = file.parent_path().string();
+                                   write(file);
+                                 },
+                                 {.heading = heading, .extensions = extensions});
+}
+
+void FigureFlow::ask_figure() {
+  ask_file_for("Export a figure", "", {uses_.settings.figure.extension}, [this](const std::filesystem::path& file) {
     desk_.save(file);
     uses_.dialogs.figure.close();
-  };
-  uses_.dialogs.browser.ask_save(uses_.folder(), document_name() + extension, save,
-                                 {.heading = "Export a figure", .extensions = {extension}});
+  });
+}
+
+void FigureFlow::write_aside(const std::filesystem::path& file, std::string_view contents, Compute compute) {
+  writing_geometry_.begin([file, contents, registry = uses_.work.live_registry().share(),
+                           data = data_of(uses_.work.document()),
+                           compute = std::move(compute)](const std::stop_token& stop) -> WrittenGeometry {
+    const auto failed = [&](Error error) { return WrittenGeometry{file, std::unexpected(std::move(error))}; };
+    try {
+      const auto made = compute(*registry, data, stop);
+      if (!made) return failed(made.error());
+      if (auto written = write_file_atomically(file, made->text); !written) return failed(written.error());
+      return {file, made->remark, made->totals};
+    } catch (const Cancelled&) {
+      return failed({ErrorCode::cancelled, "the export was stopped"});
+    } catch (const std::bad_alloc&) {
+      return failed({ErrorCode::out_of_memory, fmt::format("memory is not enough for {}", contents)});
+    }
+  });
 }
 
 void FigureFlow::ask_geometry(std::vector<LayerIndex> layers, const LayerTextFormat& format) {
@@ -111,16 +136,12 @@ void FigureFlow::ask_geometry(std::vector<LayerIndex> layers, const LayerTextFor
     uses_.messages.problem(good.error().message());
     return;
   }
-  const std::string extension = "." + std::string(format.extension);
   const std::string layer =
       layers.size() == 1 ? "-" + std::string(uses_.work.layers().descriptor(layers.front()).id) : "";
-  const auto save = [this, layers = std::move(layers), &format](const std::filesystem::path& file) {
-    uses_.settings.last_folder = file.parent_path().string();
-    write_geometry(file, layers, format);
-  };
-  uses_.dialogs.browser.ask_save(
-      uses_.folder(), document_name() + layer + extension, save,
-      {.heading = fmt::format("Export geometry as {}", format.title), .extensions = {extension}});
+  ask_file_for(fmt::format("Export geometry as {}", format.title), layer, {"." + std::string(format.extension)},
+               [this, layers = std::move(layers), &format](const std::filesystem::path& file) {
+                 write_geometry(file, layers, format);
+               });
 }
 
 void FigureFlow::write_geometry(const std::filesystem::path& file, const std::vector<LayerIndex>& layers,
@@ -130,93 +151,65 @@ void FigureFlow::write_geometry(const std::filesystem::path& file, const std::ve
       uses_.messages.problem(fmt::format("The layer {} is not there any more", descriptor.name));
       return;
     }
-  const ComputationRequest request{
-      .layers = main_layers(layers), .settings = uses_.work.computation().settings(), .on_patch = {}};
-  writing_geometry_.begin([registry = uses_.work.live_registry().share(), file, data = data_of(uses_.work.document()),
-                           request, &format](const std::stop_token& stop) -> WrittenGeometry {
-    try {
-      ComputationRequest stoppable = request;
-      stoppable.stop = stop;
-      const auto text = compute_layer_text(*registry, data, format, std::move(stoppable));
-      if (!text) return {file, std::unexpected(text.error())};
-      if (auto written = write_file_atomically(file, text->text); !written)
-        return {file, std::unexpected(written.error())};
-      return {file, remark_about(*text, format)};
-    } catch (const std::bad_alloc&) {
-      return {file, std::unexpected(Error{ErrorCode::out_of_memory, "memory is not enough for this geometry"})};
-    }
-  });
+  const auto compute = [layers = main_layers(layers), settings = uses_.work.computation().settings(), &format](
+                           const Registry& registry, const SampleData& data,
+                           const std::stop_token& stop) -> Expected<GeometryText> {
+    auto text = compute_layer_text(registry, data, format,
+                                   {.layers = layers, .settings = settings, .on_patch = {}, .stop = stop});
+    if (!text) return std::unexpected(text.error());
+    std::string remark = remark_about(*text, format);
+    return GeometryText{std::move(text->text), std::move(remark)};
+  };
+  write_aside(file, "this geometry", compute);
 }
 
 void FigureFlow::ask_center_lines() {
-  const auto save = [this](const std::filesystem::path& file) {
-    uses_.settings.last_folder = file.parent_path().string();
-    write_center_lines(file);
-  };
   std::vector<std::string> extensions;
   for (const LineTextFormat& format : line_text_formats()) extensions.push_back("." + std::string(format.name));
-  const std::string name = document_name() + "-center-lines" + extensions.front();
-  uses_.dialogs.browser.ask_save(uses_.folder(), name, save,
-                                 {.heading = "Export centre lines", .extensions = extensions});
+  ask_file_for("Export centre lines", "-center-lines", extensions,
+               [this](const std::filesystem::path& file) { write_center_lines(file); });
 }
 
 void FigureFlow::write_center_lines(const std::filesystem::path& file) {
   const std::string extension = lower_case_extension(file);
   const LineTextFormat* const format = find_line_text_format(std::string_view(extension).substr(1));
   MES_ASSERT(format != nullptr);  // the dialog returns names with the extensions that it was given
-  writing_geometry_.begin([registry = uses_.work.live_registry().share(), file, data = data_of(uses_.work.document()),
-                           format](const std::stop_token& stop) -> WrittenGeometry {
-    try {
-      JobControl job(stop);
-      const auto found = compute_center_lines(*registry, data, {}, job);
-      if (!found) return {file, std::unexpected(found.error())};
-      std::vector<TextLine> lines;
-      for (const CenterLine& line : found->lines) lines.push_back(text_line_of(line, data.map));
-      const auto text = format->write(lines);
-      if (!text) return {file, std::unexpected(text.error())};
-      if (auto written = write_file_atomically(file, text->text); !written)
-        return {file, std::unexpected(written.error())};
-      CenterLineTotals totals;
-      totals.add(*found);
-      return {file, {}, totals.text(data.map, text->off_earth)};
-    } catch (const Cancelled&) {
-      return {file, std::unexpected(Error{ErrorCode::cancelled, "the export was stopped"})};
-    } catch (const std::bad_alloc&) {
-      return {file, std::unexpected(Error{ErrorCode::out_of_memory, "memory is not enough for these lines"})};
-    }
-  });
+  const auto compute = [format](const Registry& registry, const SampleData& data,
+                                const std::stop_token& stop) -> Expected<GeometryText> {
+    JobControl job(stop);
+    const auto found = compute_center_lines(registry, data, {}, job);
+    if (!found) return std::unexpected(found.error());
+    std::vector<TextLine> lines;
+    for (const CenterLine& line : found->lines) lines.push_back(text_line_of(line, data.map));
+    auto text = format->write(lines);
+    if (!text) return std::unexpected(text.error());
+    CenterLineTotals totals;
+    totals.add(*found);
+    return GeometryText{std::move(text->text), {}, totals.text(data.map, text->off_earth)};
+  };
+  write_aside(file, "these lines", compute);
 }
 
 void FigureFlow::ask_cells() {
-  const auto save = [this](const std::filesystem::path& file) {
-    uses_.settings.last_folder = file.parent_path().string();
-    write_cells(file);
-  };
   std::vector<std::string> extensions;
   for (const std::string_view format : cell_formats()) extensions.push_back("." + std::string(format));
-  uses_.dialogs.browser.ask_save(uses_.folder(), document_name() + "-cells" + extensions.front(), save,
-                                 {.heading = "Export Voronoi cells", .extensions = extensions});
+  ask_file_for("Export Voronoi cells", "-cells", extensions,
+               [this](const std::filesystem::path& file) { write_cells(file); });
 }
 
 void FigureFlow::write_cells(const std::filesystem::path& file) {
   const std::string extension = lower_case_extension(file);
   const auto format = std::ranges::find(cell_formats(), std::string_view(extension).substr(1));
   MES_ASSERT(format != cell_formats().end());  // as above
-  writing_geometry_.begin([registry = uses_.work.live_registry().share(), file, data = data_of(uses_.work.document()),
-                           format = *format](const std::stop_token& stop) -> WrittenGeometry {
-    try {
-      JobControl job(stop);
-      const auto text = compute_cell_text(*registry, data, usual_region_of(data), format, job);
-      if (!text) return {file, std::unexpected(text.error())};
-      if (auto written = write_file_atomically(file, text->text); !written)
-        return {file, std::unexpected(written.error())};
-      return {file, text->off_earth == 0 ? std::string() : "cells beyond the poles or around the Earth are left out"};
-    } catch (const Cancelled&) {
-      return {file, std::unexpected(Error{ErrorCode::cancelled, "the export was stopped"})};
-    } catch (const std::bad_alloc&) {
-      return {file, std::unexpected(Error{ErrorCode::out_of_memory, "memory is not enough for these cells"})};
-    }
-  });
+  const auto compute = [format = *format](const Registry& registry, const SampleData& data,
+                                          const std::stop_token& stop) -> Expected<GeometryText> {
+    JobControl job(stop);
+    auto text = compute_cell_text(registry, data, usual_region_of(data), format, job);
+    if (!text) return std::unexpected(text.error());
+    return GeometryText{std::move(text->text),
+                        text->off_earth == 0 ? "" : "cells beyond the poles or around the Earth are left out"};
+  };
+  write_aside(file, "these cells", compute);
 }
 
 void FigureFlow::take_geometry() {
@@ -237,14 +230,10 @@ void FigureFlow::ask_lesson() {
     uses_.messages.notice("A lesson is being written; the next one can be exported when that is done");
     return;
   }
-  const auto save = [this,
-                     session = std::make_shared<const Session>(uses_.session())](const std::filesystem::path& file) {
-    uses_.settings.last_folder = file.parent_path().string();
-    lesson_.begin(uses_.work.live_registry().share(), session, file);
-  };
-  uses_.dialogs.browser.ask_save(
-      uses_.folder(), document_name() + ".pdf", save,
-      {.heading = "Export the lesson as .pdf, .html, .mp4 or .webm", .extensions = lesson_extensions()});
+  ask_file_for("Export the lesson as .pdf, .html, .mp4 or .webm", "", lesson_extensions(),
+               [this, session = std::make_shared<const Session>(uses_.session())](const std::filesystem::path& file) {
+                 lesson_.begin(uses_.work.live_registry().share(), session, file);
+               });
 }
 
 void FigureFlow::take_lesson() {

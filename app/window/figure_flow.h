@@ -51,12 +51,24 @@ class FigureFlow {
   void take_results();
 
  private:
+  struct GeometryText {
+    std::string text;
+    std::string remark{};  ///< what was left out, or else empty
+    std::string totals{};
+  };
   struct WrittenGeometry {
     std::filesystem::path file;
     Expected<std::string> remark;  ///< what was left out, or else empty
     std::string totals{};
   };
   void open();
+  /// Asks for a file named after the document and `suffix`, with the first of the extensions unless the user chooses
+  /// another one of them.
+  void ask_file_for(const std::string& heading, const std::string& suffix, const std::vector<std::string>& extensions,
+                    std::function<void(const std::filesystem::path&)> write);
+  using Compute = std::function<Expected<GeometryText>(const Registry&, const SampleData&, const std::stop_token&)>;
+  /// Computes the file from the present document and writes it, on another thread. `contents` are words for errors.
+  void write_aside(const std::filesystem::path& file, std::string_view contents, Compute compute);
   void write_geometry(const std::filesystem::path& file, const std::vector<LayerIndex>& layers,
                       const LayerTextFormat& format);
   void write_center_lines(const std::filesystem::path& file);
@@ -64,7 +76,7 @@ class FigureFlow {
   void take_geometry();
   void take_lesson();
   std::string document_name() const;
-  void ask_file();
+  void ask_figure();
   FigureSubject subject() const;
   /// Texture of the preview, created on demand.
   ImTextureID texture();
