@@ -50,12 +50,12 @@ constexpr auto kFileRows = std::to_array<Row>({
     {Id::export_figure, "export-figure", "Export a figure...",
      "Export the view as PDF, SVG, PostScript, Ipe or TikZ, at a given size on paper", "Ctrl+E"},
     {Id::export_center_lines, "export-center-lines", "Export centre lines...",
-     "Write the centre line of each shape, smoothed, with its length and widths, for maps (GeoJSON, WKT, GeoPackage, "
-     "FlatGeobuf) and drawings (SVG, DXF), or as CSV"},
+     "Write the centre lines, smoothed, with their lengths and widths, for maps (GeoJSON, WKT, GeoPackage, "
+     "FlatGeobuf) "
+     "and drawings (SVG, DXF), or as CSV; with two samples selected, the line between the ends near them"},
     {Id::export_cells, "export-cells", "Export Voronoi cells...",
      "Write the Voronoi cell of each sample as a polygon, as GeoJSON, WKT, GeoPackage or FlatGeobuf: within the "
-     "outline "
-     "of a map with points beside it, else within a box"},
+     "outline of a map with points beside it, else within a box"},
     {Id::quit, "quit", "Quit", "Close the window", "Ctrl+Q"},
 });
 

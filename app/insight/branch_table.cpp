@@ -9,9 +9,9 @@
 #include <optional>
 #include <utility>
 
+#include "app/insight/center_line_run.h"
 #include "core/io/text/text_numbers.h"
 #include "core/structures/balls/kept_union.h"
-#include "core/structures/filters/center_lines.h"
 #include "core/workbench/workbench.h"
 
 namespace mes {
@@ -47,10 +47,7 @@ void add_stations(const AxisFilter& filter, const OneStepCrust& crust, const Com
                   JobControl& job, BranchTable& out) {
   constexpr double kOfLongest = 400.0;
   constexpr double kMost = 100'000.0;  // of all lines
-  CenterLines set = center_lines_of(filter, crust, out.branches,
-                                    {.least_salience = settings[Parameter::center_line_pruning],
-                                     .most = static_cast<std::size_t>(settings[Parameter::center_line_branches])},
-                                    job);
+  CenterLines set = center_lines_of(filter, crust, out.branches, wish_of(settings).request, job);
   smooth(set, kUsualSmoothing);
   double longest = 0.0;
   double all = 0.0;

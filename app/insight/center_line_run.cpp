@@ -16,6 +16,14 @@ std::unexpected<Error> no_line(ErrorCode code, std::string text) {
 
 }  // namespace
 
+CenterLineWish wish_of(const ComputationSettings& settings) {
+  CenterLineWish out;
+  out.lambda_limit = settings[Parameter::lambda_limit];
+  out.request.least_salience = settings[Parameter::center_line_pruning];
+  out.request.most = static_cast<std::size_t>(settings[Parameter::center_line_branches]);
+  return out;
+}
+
 SampleData samples_for_center_lines(const SampleData& data, JobControl& job, std::string& remark) {
   if (!data.source || !data.source->curves) return data;
   const SamplingRequest request{.rule = SamplingRule::feature_size,
@@ -33,7 +41,7 @@ Expected<CenterLines> compute_center_lines(const Registry& registry, const Sampl
                                            const CenterLineWish& wish, JobControl& job,
                                            const std::function<void(std::string_view)>& on_task) {
   ComputationSettings settings;
-  settings[Parameter::lambda_limit] = 0.0;  // the whole axis
+  settings[Parameter::lambda_limit] = wish.lambda_limit;
   Workbench bench(registry, {.keeps_document = false});
   const auto& lambda = bench.get<LambdaAxis>();
   const auto& angle = bench.get<AngleAxis>();

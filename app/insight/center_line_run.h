@@ -17,9 +17,13 @@ class Registry;
 
 struct CenterLineWish {
   SmoothingTolerance tolerance = kUsualSmoothing;
-  bool is_extended = false;  ///< free ends reach the curve
+  bool is_extended = false;   ///< free ends reach the curve
+  double lambda_limit = 0.0;  ///< least lambda of the axis that the lines are made of; 0: all of it
   CenterLineRequest request{};
 };
+
+/// The lines of the layer `center-lines` at these settings.
+CenterLineWish wish_of(const ComputationSettings& settings);
 
 /// Samples of the curves of the data by local feature size, since the axis of corners alone says little. Data without
 /// curves are samples already. If the rule cannot sample the curves, the samples stay, and `remark` says why. Throws

@@ -166,18 +166,26 @@ void FigureFlow::write_geometry(const std::filesystem::path& file, const std::ve
 void FigureFlow::ask_center_lines() {
   std::vector<std::string> extensions;
   for (const LineTextFormat& format : line_text_formats()) extensions.push_back("." + std::string(format.name));
-  ask_file_for("Export centre lines", "-center-lines", extensions,
-               [this](const std::filesystem::path& file) { write_center_lines(file); });
+  CenterLineWish wish = wish_of(uses_.work.computation().settings());
+  const std::vector<SampleSlot> selected = uses_.work.editor().selection().slots();
+  if (selected.size() == 2) {
+    const Document& document = uses_.work.document();
+    wish.request.between = {document.position(selected[0]), document.position(selected[1])};
+  }
+  ask_file_for(
+      wish.request.between ? "Export the centre line between the ends near two samples" : "Export centre lines",
+      "-center-lines", extensions,
+      [this, wish](const std::filesystem::path& file) { write_center_lines(file, wish); });
 }
 
-void FigureFlow::write_center_lines(const std::filesystem::path& file) {
+void FigureFlow::write_center_lines(const std::filesystem::path& file, const CenterLineWish& wish) {
   const std::string extension = lower_case_extension(file);
   const LineTextFormat* const format = find_line_text_format(std::string_view(extension).substr(1));
   MES_ASSERT(format != nullptr);  // the dialog returns names with the extensions that it was given
-  const auto compute = [format](const Registry& registry, const SampleData& data,
-                                const std::stop_token& stop) -> Expected<GeometryText> {
+  const auto compute = [format, wish](const Registry& registry, const SampleData& data,
+                                      const std::stop_token& stop) -> Expected<GeometryText> {
     JobControl job(stop);
-    const auto found = compute_center_lines(registry, data, {}, job);
+    const auto found = compute_center_lines(registry, data, wish, job);
     if (!found) return std::unexpected(found.error());
     std::vector<TextLine> lines;
     for (const CenterLine& line : found->lines) lines.push_back(text_line_of(line, data.map));

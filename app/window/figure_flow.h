@@ -9,6 +9,7 @@
 
 #include "app/actions/action_bindings.h"
 #include "app/export/figure_desk.h"
+#include "app/insight/center_line_run.h"
 #include "app/panels/dialogs/dialogs.h"
 #include "app/recording/lesson_export.h"
 #include "app/settings/settings.h"
@@ -41,7 +42,8 @@ class FigureFlow {
   void bind(ActionBindings& actions);
   /// Asks for a file for the geometry of those of these layers that the format can hold. They are computed again for it.
   void ask_geometry(std::vector<LayerIndex> layers, const LayerTextFormat& format);
-  /// Asks for a file for the centre lines of the shapes; its extension chooses the format.
+  /// Asks for a file for the lines of the layer `center-lines`, or, if two samples are selected, for the line between
+  /// the ends of the axis nearest to them. The extension of the file chooses the format.
   void ask_center_lines();
   void ask_cells();
   /// Asks for a file for the lesson, which its extension gives a format.
@@ -71,7 +73,7 @@ class FigureFlow {
   void write_aside(const std::filesystem::path& file, std::string_view contents, Compute compute);
   void write_geometry(const std::filesystem::path& file, const std::vector<LayerIndex>& layers,
                       const LayerTextFormat& format);
-  void write_center_lines(const std::filesystem::path& file);
+  void write_center_lines(const std::filesystem::path& file, const CenterLineWish& wish);
   void write_cells(const std::filesystem::path& file);
   void take_geometry();
   void take_lesson();
