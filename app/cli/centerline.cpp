@@ -126,6 +126,8 @@ Expected<CenterlineJob> centerline_job(const CenterlineRequest& request) {
   if (request.are_features_apart && std::ranges::find(kOfFeatures, request.from) == kOfFeatures.end())
     return usage_error("--each reads features of " + one_of(std::span(kOfFeatures).subspan(1)) + ", not " +
                        in_quotes(request.from));
+  if (out.format->name == "dxf-3d" && (request.is_extended || !request.every.empty()))
+    return usage_error("dxf-3d has the radii along the lines; it goes with neither --extend nor --every");
   if (request.are_features_apart && !out.format->is_of_features)
     return usage_error(
         fmt::format("--each writes properties, which {} cannot hold; geojson, gpkg and fgb can", out.format->name));

@@ -9,6 +9,7 @@ namespace mes {
 TextLine text_line_of(const CenterLine& line, const std::optional<MapPlane>& map) {
   TextLine out{.points = {}, .is_closed = line.is_closed, .map = map};
   for (const CenterLine::Point& point : line.points) out.points.push_back(point.place);
+  out.radii = radii_of(line);
   const Widths widths = widths_of(line);
   out.numbers = {{"shape", static_cast<double>(line.shape + 1)},
                  {"line", static_cast<double>(line.rank + 1)},

@@ -145,6 +145,7 @@ Expected<LineText> lines_as_svg(std::span<const TextLine> lines) {
   return out;
 }
 
+template <bool kHasHeights>
 Expected<LineText> lines_as_dxf(std::span<const TextLine> lines) {
   LineConversions conversions(MapTarget::own_system);
   LineText out{std::string(DxfText::kBegin)};
@@ -152,7 +153,10 @@ Expected<LineText> lines_as_dxf(std::span<const TextLine> lines) {
   for (const TextLine& line : lines) {
     const auto points = conversions.points_of(line);
     if (!points) return std::unexpected(points.error());
-    dxf.polyline(std::span(*points).first(points->size() - (line.is_closed ? 1 : 0)), line.is_closed);
+    const std::size_t count = points->size() - (line.is_closed ? 1 : 0);
+    const std::vector<double> unknown(kHasHeights && line.radii.empty() ? count : 0, 0.0);
+    const std::span<const double> heights = line.radii.empty() ? unknown : line.radii;
+    dxf.polyline(std::span(*points).first(count), line.is_closed, heights.first(kHasHeights ? count : 0));
   }
   out.text += DxfText::kEnd;
   return out;
@@ -169,12 +173,14 @@ Expected<LineText> lines_by_gdal(std::span<const TextLine> lines) {
 }
 
 // One line per format.
-constexpr std::array<LineTextFormat, 7> kLineFormats{{
+constexpr std::array<LineTextFormat, 8> kLineFormats{{
     {"geojson", "features with numbers as properties", true, lines_as_geojson},
     {"wkt", "well-known text, a line string a line", false, lines_as_wkt},
     {"csv", "a point of a line in each row", false, lines_as_csv},
     {"svg", "a path for each line, upright", false, lines_as_svg},
-    {"dxf", "a polyline for each line", false, lines_as_dxf},
+    {"dxf", "a polyline for each line", false, lines_as_dxf<false>},
+    {"dxf-3d", "the same in space: the height is the radius of the largest disk, for V-shaped bits", false,
+     lines_as_dxf<true>},
     {"gpkg", "a GeoPackage with the same features as geojson, by GDAL", true, lines_by_gdal<kGeoPackage>},
     {"fgb", "a FlatGeobuf with the same, by GDAL", true, lines_by_gdal<kFlatGeobuf>},
 }};

@@ -165,7 +165,8 @@ void FigureFlow::write_geometry(const std::filesystem::path& file, const std::ve
 
 void FigureFlow::ask_center_lines() {
   std::vector<std::string> extensions;
-  for (const LineTextFormat& format : line_text_formats()) extensions.push_back("." + std::string(format.name));
+  for (const LineTextFormat& format : line_text_formats())
+    if (!format.name.contains('-')) extensions.push_back("." + std::string(format.name));
   CenterLineWish wish = wish_of(uses_.work.computation().settings());
   const std::vector<SampleSlot> selected = uses_.work.editor().selection().slots();
   if (selected.size() == 2) {

@@ -198,6 +198,34 @@ TEST_CASE("lines of a map in degrees are in degrees, and feature by feature with
   CHECK_THAT(line_fault(2, {file, "--between", "9,50", "20,60"}), Catch::Contains("two shapes"));
 }
 
+TEST_CASE("a line in space has the radii of the largest disks as heights") {
+  // A wedge from half width 1 to half width 2 along 20.
+  const std::string wedge = "POLYGON ((0 -1, 20 -2, 20 2, 0 1, 0 -1))";
+  const std::string text = lines_written({"-", "--format", "dxf-3d", "--smooth", "0", "--prune", "1"}, wedge);
+  std::istringstream lines(text);
+  std::vector<std::string> all;
+  for (std::string line; std::getline(lines, line);) all.push_back(line);
+  std::size_t vertices = 0;
+  for (std::size_t i = 0; i + 9 < all.size(); i += 2) {
+    if (all[i] != "0" || all[i + 1] != "VERTEX") continue;
+    ++vertices;
+    CHECK(all[i + 4] == "10");
+    CHECK(all[i + 8] == "30");
+    const double x = std::stod(all[i + 5]);
+    // The distance to the sides, which rise by 1 in 20.
+    CHECK(std::stod(all[i + 9]) == Approx((1 + x / 20) / std::hypot(1, 0.05)).epsilon(2e-3));
+  }
+  CHECK(vertices > 10);
+  CHECK(text.contains("POLYLINE\n8\ncenterline\n66\n1\n70\n8\n"));
+  // Its reader takes it for the same line.
+  const TemporaryFolder folder;
+  const RunResult read = run({"compute", folder.write("a.dxf", text).string(), "--vertices", "--layers", "points"});
+  REQUIRE(read.exit_code == 0);
+  CHECK(Json::parse(read.out)["input"]["samples"] == vertices);
+  CHECK_THAT(line_fault(2, {"-", "--format", "dxf-3d", "--extend"}, wedge), Catch::Contains("--extend"));
+  CHECK_THAT(line_fault(2, {"-", "--format", "dxf-3d", "--every", "1"}, wedge), Catch::Contains("--every"));
+}
+
 TEST_CASE("lines and messages are in the order of the features, whichever is finished first") {
   // Each third feature is a square, which has no line, and the others are of very different size.
   Json features = Json::array();

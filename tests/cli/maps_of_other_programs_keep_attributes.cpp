@@ -153,6 +153,16 @@ TEST_CASE("GeoPackages and FlatGeobufs are written in the system of the map") {
   }
 }
 
+TEST_CASE("a DXF in space has heights for others") {
+  const TemporaryFolder folder;
+  const std::string strip = folder.write("strip.wkt", "POLYGON ((0 0, 800 0, 800 200, 0 200, 0 0))").string();
+  const std::string file = (folder / "strip.dxf").string();
+  made({"centerline", strip, "--format", "dxf-3d", "-o", file});
+  CHECK_THAT(told_by_ogr(file), Catch::Contains("Feature Count: 1"));
+  for (const Json& place : features_by_ogr(file)["features"][0]["geometry"]["coordinates"])
+    CHECK(place[2].get<double>() == Approx(100.0).margin(0.1));
+}
+
 TEST_CASE("a map that GDAL cannot read is one line") {
   const TemporaryFolder folder;
   const std::string package = contents_of(parcels_as(folder, "a.gpkg"));

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Group codes: 0 begins an entity, 8 is its layer, 10 to 30 a place, 40 a radius, 50 and 51 are angles in degrees, 66 says
-// that vertices follow, and 70 has the bit 1 for closed.
+// that vertices follow, and 70 has the bits 1 for
+// closed, 8 for a polyline in space and 32 for a vertex of one.
 #include "app/store/internal/dxf_text.h"
 
+#include <fmt/core.h>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -20,10 +22,10 @@ void DxfText::number(std::string_view code, double value) {
   out_ += '\n';
 }
 
-void DxfText::place(Vec2 p) {
+void DxfText::place(Vec2 p, double height) {
   number("10", p.x);
   number("20", p.y);
-  number("30", 0.0);
+  number("30", height);
 }
 
 void DxfText::point(Vec2 p) {
@@ -53,13 +55,15 @@ void DxfText::arc(const Arc& arc) {
   number("51", end);
 }
 
-void DxfText::polyline(std::span<const Vec2> corners, bool is_closed) {
+void DxfText::polyline(std::span<const Vec2> corners, bool is_closed, std::span<const double> heights) {
   begin("POLYLINE");
-  out_ += is_closed ? "66\n1\n70\n1\n" : "66\n1\n70\n0\n";
+  const bool is_in_space = !heights.empty();
+  out_ += fmt::format("66\n1\n70\n{}\n", (is_closed ? 1 : 0) + (is_in_space ? 8 : 0));
   place({});
-  for (const Vec2 p : corners) {
+  for (std::size_t i = 0; i < corners.size(); ++i) {
     begin("VERTEX");
-    place(p);
+    place(corners[i], is_in_space ? heights[i] : 0.0);
+    if (is_in_space) out_ += "70\n32\n";
   }
   begin("SEQEND");
 }

@@ -23,13 +23,13 @@ class DxfText {
   void circle(const Disk& disk);
   /// From one end counter-clockwise to the other; a circle if they are the same.
   void arc(const Arc& arc);
-  /// A polyline; a closed one does not repeat its first corner.
-  void polyline(std::span<const Vec2> corners, bool is_closed);
+  /// A polyline; a closed one does not repeat its first corner. With a height for each corner it is one in space.
+  void polyline(std::span<const Vec2> corners, bool is_closed, std::span<const double> heights = {});
 
  private:
   void begin(std::string_view entity);
   void number(std::string_view code, double value);
-  void place(Vec2 p);
+  void place(Vec2 p, double height = 0.0);
 
   std::string& out_;
   std::string_view layer_;

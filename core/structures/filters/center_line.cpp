@@ -192,6 +192,18 @@ std::vector<Station> stations_of(const CenterLine& line, double spacing) {
   return out;
 }
 
+std::vector<double> radii_of(const CenterLine& line) {
+  const AxisByLength axis(line);
+  std::vector<double> out;
+  out.reserve(line.points.size());
+  for (const CenterLine::Point& point : line.points) {
+    const auto& [left, right] = line.banks[axis.at(point.along).piece];
+    out.push_back(std::min(distance(foot_on(left, point.place), point.place),
+                           distance(foot_on(right, point.place), point.place)));
+  }
+  return out;
+}
+
 Widths widths_of(const CenterLine& line) {
   Widths out{std::numeric_limits<double>::infinity(), 0.0, 0.0};
   Sum length;

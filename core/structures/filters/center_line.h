@@ -89,6 +89,10 @@ struct Station {
 /// Stations at all multiples of a positive spacing; the end of a closed line is its beginning. They ignore extensions.
 std::vector<Station> stations_of(const CenterLine& line, double spacing);
 
+/// For each point of the line the distance to the nearer of its feet: the largest radius of a disk about it inside the
+/// shape. Where the line is smoothed or extended, other parts of the boundary may be nearer.
+std::vector<double> radii_of(const CenterLine& line);
+
 /// Least, mean and largest width along the axis.
 struct Widths {
   double least = 0.0;
