@@ -20,7 +20,8 @@ Expected<TracePreview> read_preview(const std::filesystem::path& file, const std
   JobControl job(stop);
   const auto bytes = read_regular_file(file, {.job = &job, .most_bytes = kMostBytes});
   if (!bytes) return std::unexpected(bytes.error());
-  auto pixels = decode_pixels(std::as_bytes(std::span(*bytes)), file.string());
+  auto pixels = decode_pixels(std::as_bytes(std::span(*bytes)), file.string(), 0, kMostPicturePixels,
+                              PictureTurn::upright, &job);
   if (!pixels) return std::unexpected(std::move(pixels.error()));
   TracePreview out{.image = gray_of(*std::move(pixels))};
   out.histogram = histogram_of(out.image);

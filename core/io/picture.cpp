@@ -20,7 +20,8 @@ Match match_picture(std::string_view bytes) {
 
 Expected<LoadedFile> read_traced(std::string_view bytes, const std::string& name, const TraceRequest& request,
                                  ReadJob& job) {
-  auto pixels = decode_pixels(std::as_bytes(std::span(bytes)), name);
+  auto pixels = decode_pixels(std::as_bytes(std::span(bytes)), name, 0, kMostPicturePixels, PictureTurn::upright,
+                              job.control());
   if (!pixels) return std::unexpected(std::move(pixels.error()));
   job.checkpoint();
   const bool lacks_end = pixels->lacks_end;

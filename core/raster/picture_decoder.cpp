@@ -70,13 +70,13 @@ Pixels with_channels(Pixels pixels, int channels) {
 }
 
 Expected<Pixels> read_picture(std::span<const std::byte> bytes, std::string_view text, const std::string& name,
-                              std::size_t most_pixels, PictureTurn turn) {
+                              std::size_t most_pixels, PictureTurn turn, const JobControl* job) {
   if (looks_like_netpbm(text) || text.starts_with("P5") || text.starts_with("P6"))
     return decode_netpbm(text, name, most_pixels);
   if (text.starts_with(kBmpBeginning)) return read_bmp(bytes, name, most_pixels);
   const bool is_png = text.starts_with(kPngBeginning);
   if (!is_png && !text.starts_with(kJpegBeginning)) return fail("this is not a PNG, JPEG, BMP or PGM picture", name);
-  auto out = is_png ? read_png(bytes, name, most_pixels) : read_jpeg(bytes, name, most_pixels);
+  auto out = is_png ? read_png(bytes, name, most_pixels, job) : read_jpeg(bytes, name, most_pixels, job);
   const int orientation = turn == PictureTurn::upright ? orientation_of(bytes) : 1;
   if (!out || orientation == 1) return out;
   out->values = upright(out->values.data(), out->width, out->height, out->channels, orientation);
@@ -107,10 +107,10 @@ bool looks_like_picture(std::string_view bytes) {
 }
 
 Expected<Pixels> decode_pixels(std::span<const std::byte> bytes, const std::string& name, int channels,
-                               std::size_t most_pixels, PictureTurn turn) {
+                               std::size_t most_pixels, PictureTurn turn, const JobControl* job) {
   const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   try {
-    auto pixels = read_picture(bytes, text, name, most_pixels, turn);
+    auto pixels = read_picture(bytes, text, name, most_pixels, turn, job);
     if (pixels && channels != 0) *pixels = with_channels(*std::move(pixels), channels);
     return pixels;
   } catch (const std::bad_alloc&) {

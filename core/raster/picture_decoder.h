@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/base/job_control.h"
 #include "core/raster/gray_image.h"
 
 namespace mes {
@@ -41,9 +42,11 @@ bool looks_like_picture(std::string_view bytes);
 
 /// Decodes a picture, recognised by its first bytes, to `channels` channels; 0: as many as it has. `name` stands for
 /// the file in messages. Broken Exif data are ignored. A JPEG that lacks nothing but its end marker is accepted. Error:
-/// `bad_input`, also for more than `most_pixels`; `out_of_memory`. Decoding cannot be cancelled.
+/// `bad_input`, also for more than `most_pixels`; `out_of_memory`. Throws `Cancelled` soon after the job is stopped, if there
+/// is one and libpng or libjpeg decodes; other formats take as long as a copy.
 Expected<Pixels> decode_pixels(std::span<const std::byte> bytes, const std::string& name, int channels = 0,
-                               std::size_t most_pixels = kMostPicturePixels, PictureTurn turn = PictureTurn::upright);
+                               std::size_t most_pixels = kMostPicturePixels, PictureTurn turn = PictureTurn::upright,
+                               const JobControl* job = nullptr);
 
 /// The alpha of the pixels, if at least one of a hundred is more transparent than opaque; otherwise their lightness on
 /// white: luma with the weights of Rec. 709. O(pixels).

@@ -322,3 +322,30 @@ TEST_CASE("pictures of Netpbm that are broken are refused where they are") {
   for (const char* text : {"P1 P2\n1 2\n", "P1", "P2,P3\n1,2\n", "P1 1\n", "P3 \n", "P8 1 1 1", "P77"})
     CHECK_FALSE(looks_like_picture(text));
 }
+
+TEST_CASE("decoding is stopped at any row") {
+  // Three black pixels on white, 5 x 4. Written by Pillow.
+  constexpr std::string_view kPng =
+      "iVBORw0KGgoAAAANSUhEUgAAAAUAAAAECAAAAABjWKqcAAAAGUlEQVR42gXBAQEAAAABoPj/"
+      "mcqgImqZMg4scwQH85emFwAAAABJRU5ErkJggg==";
+  for (const std::string_view text : {kPng, kJpeg, kProgressiveJpeg}) {
+    const std::string bytes = from_base64(text);
+    const auto expected = decoded(bytes);
+    REQUIRE(expected);
+    std::int64_t stopped = 0;
+    for (std::int64_t look = 1;; ++look) {
+      JobControl job;
+      job.stop_at_look(look);
+      try {
+        const auto pixels =
+            decode_pixels(std::as_bytes(std::span(bytes)), "a", 0, kMostPicturePixels, PictureTurn::upright, &job);
+        REQUIRE(pixels);
+        CHECK(pixels->values == expected->values);
+        break;
+      } catch (const Cancelled&) {
+        ++stopped;
+      }
+    }
+    CHECK(stopped >= expected->height / 2);
+  }
+}

@@ -30,6 +30,8 @@ struct JpegRun {
   bool has_ended = false;   // before the marker that ends a picture
   bool is_damaged = false;  // pixels were made up
   Bytes bytes;
+  const JobControl* job = nullptr;
+  bool is_stopped = false;
   std::uint8_t* row = nullptr;
 };
 
@@ -67,8 +69,10 @@ void hear(j_common_ptr jpeg, int level) {
   }
 }
 
-void count_scans(j_common_ptr jpeg) {
+void watch(j_common_ptr jpeg) {
   JpegRun& run = run_of(jpeg);
+  run.is_stopped = run.job != nullptr && run.job->stop_requested();
+  if (run.is_stopped) std::longjmp(run.jump, 1);
   if (run.jpeg.input_scan_number <= kMostScans) return;
   constexpr const char* kWhy = "it has more than 64 scans";
   std::copy_n(kWhy, std::char_traits<char>::length(kWhy) + 1, run.message.data());
@@ -88,7 +92,7 @@ void read_jpeg_header(JpegRun& run) {
   run.errors.error_exit = fail_jpeg;
   run.errors.emit_message = hear;
   jpeg_create_decompress(&run.jpeg);
-  run.progress.progress_monitor = count_scans;
+  run.progress.progress_monitor = watch;
   run.jpeg.progress = &run.progress;
   jpeg_mem_src(&run.jpeg, reinterpret_cast<const unsigned char*>(run.bytes.data()),
                static_cast<unsigned long>(run.bytes.size()));
@@ -139,11 +143,13 @@ struct DestroyJpeg {
 
 }  // namespace
 
-Expected<Pixels> read_jpeg(Bytes bytes, const std::string& name, std::size_t most_pixels) {
+Expected<Pixels> read_jpeg(Bytes bytes, const std::string& name, std::size_t most_pixels, const JobControl* job) {
   JpegRun run;
   run.bytes = bytes;
+  run.job = job;
   const DestroyJpeg destroy{run};
   const auto broken = [&] {
+    if (run.is_stopped) throw Cancelled{};
     if (run.lacks_memory) throw std::bad_alloc();
     const std::size_t left = run.jpeg.src != nullptr ? run.jpeg.src->bytes_in_buffer : 0;
     const std::string why =

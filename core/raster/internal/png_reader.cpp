@@ -54,6 +54,8 @@ struct PngRun {
   png_structp png = nullptr;
   png_infop info = nullptr;
   png_bytepp rows = nullptr;
+  const JobControl* job = nullptr;
+  bool is_stopped = false;
 };
 
 void fail_png(png_structp png, png_const_charp text) {
@@ -71,6 +73,12 @@ void read_png_bytes(png_structp png, png_bytep to, std::size_t count) {
   rest = rest.subspan(count);
 }
 
+void look_for_stop(png_structp png, png_uint_32 /*row*/, int /*pass*/) {
+  PngRun& run = *static_cast<PngRun*>(png_get_error_ptr(png));
+  run.is_stopped = run.job != nullptr && run.job->stop_requested();
+  if (run.is_stopped) png_error(png, "it was stopped");
+}
+
 /// Calls `step(run)`; false if libpng has reported an error.
 template <class Step>
 bool succeeds(PngRun& run, Step step) {
@@ -81,6 +89,7 @@ bool succeeds(PngRun& run, Step step) {
 
 void read_png_header(PngRun& run) {
   png_set_read_fn(run.png, &run, read_png_bytes);
+  png_set_read_status_fn(run.png, look_for_stop);
   png_set_user_limits(run.png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);  // the caller's limits are checked next
   // All other chunks are skipped unread: texts and colour profiles may expand to any size.
   png_set_keep_unknown_chunks(run.png, PNG_HANDLE_CHUNK_NEVER, nullptr, -1);
@@ -100,13 +109,14 @@ struct DestroyPng {
 
 }  // namespace
 
-Expected<Pixels> read_png(Bytes bytes, const std::string& name, std::size_t most_pixels) {
-  PngRun run{.rest = bytes};
+Expected<Pixels> read_png(Bytes bytes, const std::string& name, std::size_t most_pixels, const JobControl* job) {
+  PngRun run{.rest = bytes, .job = job};
   run.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &run, fail_png, ignore_warning);
   const DestroyPng destroy{run};
   if (run.png != nullptr) run.info = png_create_info_struct(run.png);
   if (run.info == nullptr) throw std::bad_alloc();
   const auto broken = [&] {
+    if (run.is_stopped) throw Cancelled{};
     const std::string place = first_damage(bytes);
     return std::unexpected(broken_picture(place.empty() ? run.message.data() : place, name));
   };
