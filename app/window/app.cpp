@@ -73,7 +73,7 @@ App::App(LiveRegistry registry, std::unique_ptr<GlfwWindow> window, const Window
 void App::bind_actions() {
   ActionBindings& actions = keys_.actions();
   work_.bind(actions, settings_.settings());
-  bind_selection(actions, {work_.editor(), work_.selection_desk(), messages_, settings_.settings(),
+  bind_selection(actions, {work_.editor(), work_.selection_commands(), messages_, settings_.settings(),
                            [] {
                              const char* const text = ImGui::GetClipboardText();
                              return std::string(text == nullptr ? "" : text);

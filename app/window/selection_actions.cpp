@@ -43,13 +43,13 @@ void bind_clipboard(ActionBindings& actions, const Shared& shared) {
   };
   actions.bind(ActionId::copy, {[shared] {
                                   const SelectionUses& u = shared->uses;
-                                  u.to_clipboard(u.desk.text());
+                                  u.to_clipboard(u.commands.text());
                                   u.messages.remark("Copied " + shared->selected());
                                 },
                                 has_selection});
   actions.bind(ActionId::cut, {[shared] {
                                  const SelectionUses& u = shared->uses;
-                                 u.to_clipboard(u.desk.text());
+                                 u.to_clipboard(u.commands.text());
                                  const std::string what = shared->selected();
                                  if (shared->report(u.editor.remove_selection())) u.messages.remark("Cut " + what);
                                },
@@ -58,18 +58,18 @@ void bind_clipboard(ActionBindings& actions, const Shared& shared) {
                  const SelectionUses& u = shared->uses;
                  const auto degrees = u.settings.keep_degrees ? MapDegrees::kept : MapDegrees::projected;
                  std::string text = u.clipboard();
-                 if (u.desk.begins_document(text, degrees)) return u.open_text(std::move(text));
-                 const auto done = u.desk.paste(text, step(), degrees);
+                 if (u.commands.begins_document(text, degrees)) return u.open_text(std::move(text));
+                 const auto done = u.commands.paste(text, step(), degrees);
                  if (!shared->report(done)) return;
                  u.messages.notices(done->warnings);
                  std::string remark = "Pasted " + shared->selected();
                  if (!done->without.empty()) remark += ", without " + done->without;
-                 if (!u.desk.numbers().is_in(u.view())) remark += ", outside the view";
+                 if (!u.commands.numbers().is_in(u.view())) remark += ", outside the view";
                  u.messages.remark(std::move(remark));
                }});
   actions.bind(ActionId::duplicate, {[shared, step] {
                                        const SelectionUses& u = shared->uses;
-                                       if (shared->report(u.desk.duplicate(step())))
+                                       if (shared->report(u.commands.duplicate(step())))
                                          u.messages.remark("Duplicated " + shared->selected());
                                      },
                                      has_selection});
@@ -89,26 +89,26 @@ ActionBindings::Condition exactly_three(const Shared& shared) {
 
 void bind_arrangement(ActionBindings& actions, const Shared& shared) {
   const auto bind = [&](ActionId id, std::size_t least, auto act) {
-    actions.bind(id, {[shared, act] { shared->report(act(shared->uses.desk)); }, at_least(shared, least)});
+    actions.bind(id, {[shared, act] { shared->report(act(shared->uses.commands)); }, at_least(shared, least)});
   };
-  bind(ActionId::mirror_x, 2, [](SelectionDesk& desk) { return desk.mirror(Axis::x); });
-  bind(ActionId::mirror_y, 2, [](SelectionDesk& desk) { return desk.mirror(Axis::y); });
+  bind(ActionId::mirror_x, 2, [](SelectionCommands& commands) { return commands.mirror(Axis::x); });
+  bind(ActionId::mirror_y, 2, [](SelectionCommands& commands) { return commands.mirror(Axis::y); });
   for (std::size_t i = 0; i < kAlignments; ++i)
     bind(nth(ActionId::first_alignment, i), 2,
-         [i](SelectionDesk& desk) { return desk.align(static_cast<Alignment>(i)); });
-  bind(ActionId::distribute_x, 3, [](SelectionDesk& desk) { return desk.distribute(Axis::x); });
-  bind(ActionId::distribute_y, 3, [](SelectionDesk& desk) { return desk.distribute(Axis::y); });
+         [i](SelectionCommands& commands) { return commands.align(static_cast<Alignment>(i)); });
+  bind(ActionId::distribute_x, 3, [](SelectionCommands& commands) { return commands.distribute(Axis::x); });
+  bind(ActionId::distribute_y, 3, [](SelectionCommands& commands) { return commands.distribute(Axis::y); });
   actions.bind(ActionId::add_circle,
-               {[shared] { shared->report(shared->uses.desk.add_circle()); }, exactly_three(shared)});
+               {[shared] { shared->report(shared->uses.commands.add_circle()); }, exactly_three(shared)});
   const auto bind_exact = [&](ActionId id, std::size_t least, auto act) {
     actions.bind(id, {[shared, act] {
-                        const Expected<std::string> done = act(shared->uses.desk);
+                        const Expected<std::string> done = act(shared->uses.commands);
                         if (shared->report(done)) shared->uses.messages.remark(*done);
                       },
                       at_least(shared, least)});
   };
-  bind_exact(ActionId::put_on_line, 3, [](SelectionDesk& desk) { return desk.put_on_line(); });
-  bind_exact(ActionId::put_on_circle, 4, [](SelectionDesk& desk) { return desk.put_on_circle(); });
+  bind_exact(ActionId::put_on_line, 3, [](SelectionCommands& commands) { return commands.put_on_line(); });
+  bind_exact(ActionId::put_on_circle, 4, [](SelectionCommands& commands) { return commands.put_on_circle(); });
 }
 
 }  // namespace

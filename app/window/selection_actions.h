@@ -7,7 +7,7 @@
 
 #include "app/actions/action_bindings.h"
 #include "app/actions/messages.h"
-#include "app/editing/selection_desk.h"
+#include "app/editing/selection_commands.h"
 #include "app/settings/settings.h"
 
 namespace mes {
@@ -15,7 +15,7 @@ namespace mes {
 /// The objects that the actions work with; they all outlive the actions.
 struct SelectionUses {
   Editor& editor;
-  SelectionDesk& desk;
+  SelectionCommands& commands;
   Messages& messages;
   const Settings& settings;
   std::function<std::string()> clipboard;  ///< returns its text

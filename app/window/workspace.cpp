@@ -20,7 +20,7 @@ Workspace::Workspace(LiveRegistry registry, const std::filesystem::path& assets,
       hold_([this](std::shared_ptr<const DocumentDelta> delta) { engine_.post(std::move(delta)); }),
       editor_([this](std::shared_ptr<const DocumentDelta> delta) { hold_.post(std::move(delta)); }, &layers_),
       curve_selector_(editor_, wake),
-      contour_desk_(editor_, layers_, wake),
+      contour_commands_(editor_, layers_, wake),
       curve_sampler_(editor_, wake),
       insight_(registry_, wake),
       resampling_(registry_, editor_, wake),
@@ -57,7 +57,7 @@ void Workspace::report_remark(const Expected<std::string>& done) {
 void Workspace::follow_crust() {
   report(curve_selector_.follow());
   if (std::string remark = curve_selector_.take_remark(); !remark.empty()) messages_.remark(std::move(remark));
-  const auto made = contour_desk_.follow();
+  const auto made = contour_commands_.follow();
   if (!made)
     messages_.problem(made.error().message());
   else if (*made)

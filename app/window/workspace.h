@@ -11,14 +11,14 @@
 #include "app/actions/messages.h"
 #include "app/actions/refusal.h"
 #include "app/editing/annotation_desk.h"
-#include "app/editing/contour_desk.h"
+#include "app/editing/contour_commands.h"
 #include "app/editing/curve_sampler.h"
 #include "app/editing/curve_selector.h"
 #include "app/editing/editor.h"
 #include "app/editing/first_ball.h"
 #include "app/editing/hidden_additions.h"
 #include "app/editing/resample_desk.h"
-#include "app/editing/selection_desk.h"
+#include "app/editing/selection_commands.h"
 #include "app/editing/update_hold.h"
 #include "app/export/comparison.h"
 #include "app/insight/computation_control.h"
@@ -65,7 +65,7 @@ class Workspace {
   const Document& document() const { return editor_.document(); }
   AnnotationDesk& annotations() { return annotations_; }
   const AnnotationDesk& annotations() const { return annotations_; }
-  SelectionDesk& selection_desk() { return selection_desk_; }
+  SelectionCommands& selection_commands() { return selection_commands_; }
   Insight& insight() { return insight_; }
   ResampleDesk& resampling() { return resampling_; }
   HiddenAdditions& hidden_additions() { return hidden_additions_; }
@@ -166,9 +166,9 @@ class Workspace {
   bool is_held_by_action_ = false;
   Editor editor_;
   AnnotationDesk annotations_{editor_};
-  SelectionDesk selection_desk_{registry_, editor_};
+  SelectionCommands selection_commands_{registry_, editor_};
   CurveSelector curve_selector_;
-  ContourDesk contour_desk_;
+  ContourCommands contour_commands_;
   CurveSampler curve_sampler_;
   Insight insight_;
   ResampleDesk resampling_;

@@ -51,9 +51,10 @@ void Workspace::bind_editing(ActionBindings& actions) {
   bind_along_curve(ActionId::grow_selection, CurveSelector::Wish::grow);
   bind_along_curve(ActionId::shrink_selection, CurveSelector::Wish::shrink);
   for (std::size_t i = 0; i < kContourChanges; ++i)
-    actions.bind(nth(ActionId::first_contour_change, i),
-                 {[this, i] { report_remark(contour_desk_.change(static_cast<ContourChange>(i))); }, has_samples});
-  actions.bind(ActionId::contours_along_crust, {[this] { contour_desk_.begin_along_crust(); }, has_two});
+    actions.bind(
+        nth(ActionId::first_contour_change, i),
+        {[this, i] { report_remark(contour_commands_.change(static_cast<ContourChange>(i))); }, has_samples});
+  actions.bind(ActionId::contours_along_crust, {[this] { contour_commands_.begin_along_crust(); }, has_two});
   const auto bind_resampling = [&](ActionId id, ResampleDesk::Wish wish) {
     actions.bind(id, {[this, wish] { resampling_.begin(wish); },
                       {{[this] { return document().sample_count() != 0; }, "there are no samples"},

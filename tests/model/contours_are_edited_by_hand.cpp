@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "app/canvas/tools/select_tool.h"
-#include "app/editing/contour_desk.h"
+#include "app/editing/contour_commands.h"
 #include "app/editing/source_selection.h"
 #include "app/editing/update_hold.h"
 #include "tests/support/bell.h"
@@ -20,7 +20,7 @@ struct ContourBench {
   LayerStack layers{layer_descriptors()};
   Editor editor{[](auto) {}, &layers};
   Bell bell;
-  ContourDesk desk{editor, layers, bell.ring()};
+  ContourCommands commands{editor, layers, bell.ring()};
 
   // A circle of 24 samples without a contour, and an open contour of five far from it.
   ContourBench() {
@@ -40,9 +40,9 @@ struct ContourBench {
   std::string finish() {
     std::string out;
     bell.wait_until([&] {
-      const auto made = desk.follow();
+      const auto made = commands.follow();
       if (made && !*made) {
-        REQUIRE(desk.is_under_way());
+        REQUIRE(commands.is_under_way());
         return false;
       }
       out = made ? **made : made.error().text;
@@ -59,7 +59,7 @@ TEST_CASE("a contour is closed in one step, with its layer, and undone with it")
   const LayerIndex layer = find_layer("contours");
   REQUIRE_FALSE(bench.layers.is_visible(layer));
   bench.select({26});
-  CHECK(bench.desk.change(ContourChange::close) == "Closed: the document has 1 contour");
+  CHECK(bench.commands.change(ContourChange::close) == "Closed: the document has 1 contour");
   CHECK(bench.contours().front().closed);
   CHECK(bench.layers.is_visible(layer));
   CHECK(bench.editor.undo_name() == "Close contours");
@@ -70,14 +70,14 @@ TEST_CASE("a contour is closed in one step, with its layer, and undone with it")
   bench.editor.redo();
   CHECK(bench.contours().front().closed);
   // Nothing to do: no step.
-  const auto again = bench.desk.change(ContourChange::close);
+  const auto again = bench.commands.change(ContourChange::close);
   REQUIRE_FALSE(again);
   CHECK(again.error().text.starts_with("to close contours, select"));
 }
 
 TEST_CASE("chains of the crust become contours, in the place of those that share a sample") {
   ContourBench bench;
-  bench.desk.begin_along_crust();
+  bench.commands.begin_along_crust();
   CHECK(bench.finish() == "2 contours along the crust");
   REQUIRE(bench.contours().size() == 2);
   std::size_t closed = 0, samples = 0;
@@ -87,11 +87,11 @@ TEST_CASE("chains of the crust become contours, in the place of those that share
   }
   CHECK(closed == 1);
   CHECK(samples == 29);
-  bench.desk.begin_along_crust();
+  bench.commands.begin_along_crust();
   CHECK(bench.finish() == "The contours are the chains of the crust already");
   bench.editor.undo();
   bench.select({3});
-  bench.desk.begin_along_crust();
+  bench.commands.begin_along_crust();
   CHECK(bench.finish() == "1 contour along the crust");
   CHECK(bench.contours().size() == 2);
   CHECK(bench.contours().front().samples.size() == 5);
@@ -100,9 +100,9 @@ TEST_CASE("chains of the crust become contours, in the place of those that share
 TEST_CASE("contours that were edited come back with the timeline") {
   ContourBench bench;
   bench.select({24, 25});
-  REQUIRE(bench.desk.change(ContourChange::cut));
+  REQUIRE(bench.commands.change(ContourChange::cut));
   bench.select({0, 25});
-  REQUIRE(bench.desk.change(ContourChange::join));
+  REQUIRE(bench.commands.change(ContourChange::join));
   DocumentReplay replay;
   REQUIRE(replay.begin(*bench.editor.timeline().data()));
   for (const TimelineEntry& entry : bench.editor.timeline().entries()) REQUIRE(replay.apply(entry));

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/editing/selection_desk.h"
+#include "app/editing/selection_commands.h"
 #include "core/base/rng.h"
 #include "core/builtins/builtins.h"
 #include "core/io/format.h"
@@ -17,7 +17,7 @@ namespace {
 
 struct SelectionBench {
   Editor editor{[](auto) {}};
-  SelectionDesk desk{builtins(), editor};
+  SelectionCommands commands{builtins(), editor};
 
   explicit SelectionBench(SampleData data) { REQUIRE(editor.load(data)); }
   const Document& document() const { return editor.document(); }
@@ -60,10 +60,10 @@ SampleData square_and_ball() {
 TEST_CASE("one sample is put exactly where it is to be") {
   SelectionBench d({.positions = {{0.1, 0.2}, {5, 6}}});
   d.editor.selection().add(SampleSlot(0));
-  CHECK(d.desk.numbers().middle == Vec2{0.1, 0.2});
-  REQUIRE(d.desk.move_middle_to({1.0 / 3.0, 0.7}));
+  CHECK(d.commands.numbers().middle == Vec2{0.1, 0.2});
+  REQUIRE(d.commands.move_middle_to({1.0 / 3.0, 0.7}));
   CHECK(d.positions() == std::vector<Vec2>{{1.0 / 3.0, 0.7}, {5, 6}});
-  CHECK(d.desk.numbers().middle == Vec2{1.0 / 3.0, 0.7});
+  CHECK(d.commands.numbers().middle == Vec2{1.0 / 3.0, 0.7});
   CHECK(d.editor.undo_name() == "Move sample");
   d.is_one_step({{0.1, 0.2}, {5, 6}}, {});
 }
@@ -73,9 +73,9 @@ TEST_CASE("samples and balls are moved, turned, scaled and mirrored together, ea
   SECTION("moved by their middle") {
     SelectionBench d(data);
     d.select_all();
-    CHECK(d.desk.numbers().middle == Vec2{5, 2});
-    CHECK(d.desk.numbers().radius == 1.5);
-    REQUIRE(d.desk.move_middle_to({6, 2}));
+    CHECK(d.commands.numbers().middle == Vec2{5, 2});
+    CHECK(d.commands.numbers().radius == 1.5);
+    REQUIRE(d.commands.move_middle_to({6, 2}));
     CHECK(d.positions() == std::vector<Vec2>{{1, 0}, {5, 0}, {5, 4}, {1, 4}});
     CHECK(d.balls() == std::vector<Disk>{{{11, 2}, 1.5}});
     d.is_one_step(data.positions, data.balls);
@@ -83,7 +83,7 @@ TEST_CASE("samples and balls are moved, turned, scaled and mirrored together, ea
   SECTION("turned") {
     SelectionBench d(data);
     d.select_all();
-    REQUIRE(d.desk.turn(90));
+    REQUIRE(d.commands.turn(90));
     CHECK(d.positions() == std::vector<Vec2>{{7, -3}, {7, 1}, {3, 1}, {3, -3}});
     CHECK(d.balls() == std::vector<Disk>{{{5, 7}, 1.5}});
     d.is_one_step(data.positions, data.balls);
@@ -91,18 +91,18 @@ TEST_CASE("samples and balls are moved, turned, scaled and mirrored together, ea
   SECTION("scaled, with the radius") {
     SelectionBench d(data);
     d.select_all();
-    REQUIRE(d.desk.scale(2));
+    REQUIRE(d.commands.scale(2));
     CHECK(d.positions().front() == Vec2{-5, -2});
     CHECK(d.balls() == std::vector<Disk>{{{15, 2}, 3.0}});
     d.is_one_step(data.positions, data.balls);
-    CHECK_FALSE(d.desk.scale(0));
-    CHECK_FALSE(d.desk.scale(-1));
-    CHECK_FALSE(d.desk.scale(std::nan("")));
+    CHECK_FALSE(d.commands.scale(0));
+    CHECK_FALSE(d.commands.scale(-1));
+    CHECK_FALSE(d.commands.scale(std::nan("")));
   }
   SECTION("mirrored") {
     SelectionBench d(data);
     d.select_all();
-    REQUIRE(d.desk.mirror(Axis::x));
+    REQUIRE(d.commands.mirror(Axis::x));
     CHECK(d.positions().front() == Vec2{10, 0});
     CHECK(d.balls().front().center == Vec2{0, 2});
     d.is_one_step(data.positions, data.balls);
@@ -110,17 +110,17 @@ TEST_CASE("samples and balls are moved, turned, scaled and mirrored together, ea
   SECTION("radii set") {
     SelectionBench d(data);
     d.select_all();
-    REQUIRE(d.desk.set_radius(0.25));
+    REQUIRE(d.commands.set_radius(0.25));
     CHECK(d.balls() == std::vector<Disk>{{{10, 2}, 0.25}});
     d.is_one_step(data.positions, data.balls);
-    CHECK_FALSE(d.desk.set_radius(-1));
+    CHECK_FALSE(d.commands.set_radius(-1));
   }
 }
 
 TEST_CASE("formulas place each by itself") {
   SelectionBench d({.positions = std::vector<Vec2>(8), .balls = {{{1, 1}, 2}}});
   d.select_all();
-  REQUIRE(d.desk.place_each({.x = "3 * cos(2*pi*i/8)", .y = "3 * sin(2*pi*i/8)", .r = "r / 2"}));
+  REQUIRE(d.commands.place_each({.x = "3 * cos(2*pi*i/8)", .y = "3 * sin(2*pi*i/8)", .r = "r / 2"}));
   const std::vector<Vec2> circle = d.positions();
   for (std::size_t i = 0; i < 8; ++i) {
     CHECK(length(circle[i]) == Approx(3.0));
@@ -129,17 +129,17 @@ TEST_CASE("formulas place each by itself") {
   CHECK(d.balls().front().radius == 1.0);
   CHECK(d.editor.undo_name() == "Place samples and ball");
   // What is left empty stays.
-  REQUIRE(d.desk.place_each({.x = "x + n"}));
+  REQUIRE(d.commands.place_each({.x = "x + n"}));
   CHECK(d.positions()[3].x == circle[3].x + 9);
   CHECK(d.positions()[3].y == circle[3].y);
   const std::vector<Vec2> before = d.positions();
   for (const char* bad : {"1/0", "x +", "foo", "log(-1)"}) {
-    const auto done = d.desk.place_each({.x = bad});
+    const auto done = d.commands.place_each({.x = bad});
     REQUIRE_FALSE(done);
     CHECK(done.error().text.starts_with("x"));
   }
-  CHECK_FALSE(d.desk.place_each({.r = "-1"}));
-  CHECK_FALSE(d.desk.place_each({.y = "1e300"}));
+  CHECK_FALSE(d.commands.place_each({.r = "-1"}));
+  CHECK_FALSE(d.commands.place_each({.y = "1e300"}));
   CHECK(d.positions() == before);
 }
 
@@ -148,26 +148,26 @@ TEST_CASE("places become exactly degenerate as one step, and it is said by how m
   for (int i = 0; i < 6; ++i) ring.push_back({std::cos(i + 0.3), std::sin(i + 0.3)});
   SelectionBench d({.positions = ring});
   d.select_all();
-  const auto circle = d.desk.put_on_circle();
+  const auto circle = d.commands.put_on_circle();
   REQUIRE(circle);
   CHECK(circle->starts_with("Exactly on one circle; moved by "));
   CHECK(d.positions() != ring);
   d.is_one_step(ring, {});
-  const auto again = d.desk.put_on_circle();
+  const auto again = d.commands.put_on_circle();
   REQUIRE(again);
   CHECK(again->ends_with("moved by 0 at most"));
-  const auto line = d.desk.put_on_line();
+  const auto line = d.commands.put_on_line();
   REQUIRE(line);
   SelectionBench straight({.positions = {{0, 0}, {1, 1}, {2, 2}, {3, 3}}});
   straight.select_all();
-  CHECK_FALSE(straight.desk.put_on_circle());
+  CHECK_FALSE(straight.commands.put_on_circle());
   CHECK_FALSE(straight.editor.can_undo());
 }
 
 TEST_CASE("a circle goes through three, and is selected") {
   SelectionBench d({.positions = {{1, 0}, {0, 1}, {-1, 0}}});
   d.select_all();
-  REQUIRE(d.desk.add_circle());
+  REQUIRE(d.commands.add_circle());
   REQUIRE(d.balls().size() == 1);
   CHECK(d.balls().front() == Disk{{0, 0}, 1});
   CHECK(d.editor.selection().sample_count() == 0);
@@ -175,9 +175,9 @@ TEST_CASE("a circle goes through three, and is selected") {
   d.is_one_step({{1, 0}, {0, 1}, {-1, 0}}, {});
   SelectionBench flat({.positions = {{1, 0}, {2, 0}, {3, 0}}});
   flat.select_all();
-  CHECK_FALSE(flat.desk.add_circle());
+  CHECK_FALSE(flat.commands.add_circle());
   flat.editor.selection().remove(SampleSlot(0));
-  CHECK_FALSE(flat.desk.add_circle());
+  CHECK_FALSE(flat.commands.add_circle());
 }
 
 TEST_CASE("text goes from one window to another with every digit") {
@@ -193,7 +193,7 @@ TEST_CASE("text goes from one window to another with every digit") {
       SelectionBench from(data);
       from.select_all();
       SelectionBench to({.positions = {{100, 100}}});
-      REQUIRE(to.desk.paste(from.desk.text(), {1, -1}));
+      REQUIRE(to.commands.paste(from.commands.text(), {1, -1}));
       std::vector<Vec2> expected = data.positions;
       expected.insert(expected.begin(), {100, 100});
       CHECK(to.positions() == expected);
@@ -208,13 +208,13 @@ TEST_CASE("text goes from one window to another with every digit") {
 TEST_CASE("what is pasted twice does not lie on itself, and what is duplicated neither") {
   SelectionBench d({.positions = {{0, 0}, {1, 0}}});
   d.select_all();
-  const std::string text = d.desk.text();
+  const std::string text = d.commands.text();
   CHECK(text == "0\t0\n1\t0\n");
-  REQUIRE(d.desk.paste(text, {0.25, -0.25}));
+  REQUIRE(d.commands.paste(text, {0.25, -0.25}));
   CHECK(d.selected() == std::vector<Vec2>{{0.25, -0.25}, {1.25, -0.25}});
-  REQUIRE(d.desk.paste(text, {0.25, -0.25}));
+  REQUIRE(d.commands.paste(text, {0.25, -0.25}));
   CHECK(d.selected() == std::vector<Vec2>{{0.5, -0.5}, {1.5, -0.5}});
-  REQUIRE(d.desk.duplicate({3, 0}));
+  REQUIRE(d.commands.duplicate({3, 0}));
   CHECK(d.selected() == std::vector<Vec2>{{3.5, -0.5}, {4.5, -0.5}});
   CHECK(d.editor.undo_name() == "Duplicate samples");
   CHECK(d.document().sample_count() == 8);
@@ -226,7 +226,7 @@ TEST_CASE("a contour that is selected as a whole is duplicated as a contour, in 
   // Of the second contour one sample is not selected.
   for (const std::uint32_t i : {0U, 1U, 2U, 3U, 5U}) d.editor.selection().add(d.document().slots_in_input_order()[i]);
   const SampleData before = data_of(d.document());
-  REQUIRE(d.desk.duplicate({100, 0}));
+  REQUIRE(d.commands.duplicate({100, 0}));
   const SampleData after = data_of(d.document());
   CHECK(after.positions.size() == 11);
   REQUIRE(after.contours.size() == 3);
@@ -247,7 +247,7 @@ TEST_CASE("text that holds no samples is refused in one line, and nothing change
   for (const std::string& text :
        {std::string(), std::string("hello world"), std::string("1 2\n3"), std::string("POFF 5 0 0\n1 2"),
         std::string(3, '\0'), std::string("nan 1"), std::string("1e400 2")}) {
-    const auto done = d.desk.paste(text, {1, 1});
+    const auto done = d.commands.paste(text, {1, 1});
     INFO(text);
     REQUIRE_FALSE(done);
     CHECK(done.error().message().find('\n') == std::string::npos);
@@ -255,9 +255,9 @@ TEST_CASE("text that holds no samples is refused in one line, and nothing change
     CHECK_FALSE(d.editor.can_undo());
   }
   // Other formats are read as when they are opened.
-  REQUIRE(d.desk.paste("POLYGON ((0 0, 4 0, 4 4, 0 0))", {1, 1}));
+  REQUIRE(d.commands.paste("POLYGON ((0 0, 4 0, 4 4, 0 0))", {1, 1}));
   CHECK(d.document().sample_count() >= 4);
-  REQUIRE(d.desk.paste("SRID=4326;MULTIPOINT ((9 50), (11.5 51))", {1, 1}, MapDegrees::kept));
+  REQUIRE(d.commands.paste("SRID=4326;MULTIPOINT ((9 50), (11.5 51))", {1, 1}, MapDegrees::kept));
   CHECK(d.positions().back() == Vec2{11.5, 51});
 }
 
@@ -265,15 +265,15 @@ TEST_CASE("text of another coordinate system is pasted where it lies on the Eart
   SampleData data{.positions = {{0, 0}}};
   data.map = MapPlane{MapProjection::azimuthal, 9.7, 52.3};
   SelectionBench d(data);
-  REQUIRE(d.desk.paste("SRID=25832;POINT (548206 5803104)", {1, 1}));
+  REQUIRE(d.commands.paste("SRID=25832;POINT (548206 5803104)", {1, 1}));
   const auto conversion = MapConversion::of(*data.map, MapTarget::wgs84);
   REQUIRE(conversion);
   // The numbers are those of cs2cs.
   CHECK(distance(conversion->from_plane(d.positions().back()), {9.708148085036, 52.376078240013}) < 1e-8);
   // A text without a system is taken as it is, and one that PROJ does not know is refused.
-  REQUIRE(d.desk.paste("POINT (30 40)", {1, 1}));
+  REQUIRE(d.commands.paste("POINT (30 40)", {1, 1}));
   CHECK(d.positions().back() == Vec2{30, 40});
-  const auto unknown = d.desk.paste("SRID=999999;POINT (1 2)", {1, 1});
+  const auto unknown = d.commands.paste("SRID=999999;POINT (1 2)", {1, 1});
   REQUIRE_FALSE(unknown);
   CHECK_THAT(unknown.error().message(), Catch::Contains("PROJ knows"));
 }
@@ -281,24 +281,24 @@ TEST_CASE("text of another coordinate system is pasted where it lies on the Eart
 TEST_CASE("what is pasted lies on nothing that is there, whichever of its places is taken") {
   SelectionBench d({.positions = {{0, 0}, {1, 0}, {2, 0}}, .balls = {{{5, 5}, 1}}});
   d.select_all();
-  const std::string text = d.desk.text();
+  const std::string text = d.commands.text();
   d.editor.selection().clear();
   d.editor.selection().add(SampleSlot(0));
   REQUIRE(d.editor.remove_selection());
-  REQUIRE(d.desk.paste(text, {0.25, -0.25}));
+  REQUIRE(d.commands.paste(text, {0.25, -0.25}));
   CHECK(d.selected() == std::vector<Vec2>{{0.25, -0.25}, {1.25, -0.25}, {2.25, -0.25}});
   // The ball alone is in the way.
-  REQUIRE(d.desk.paste("WPOFF 2 0 0\n7 7 1\n5 5 1\n", {0.25, -0.25}));
+  REQUIRE(d.commands.paste("WPOFF 2 0 0\n7 7 1\n5 5 1\n", {0.25, -0.25}));
   CHECK(d.balls().back() == Disk{{5.5, 4.5}, 1});
 }
 
 TEST_CASE("what a pasted text has besides is said") {
   SelectionBench d({.positions = {{1, 2}}});
-  const auto table = d.desk.paste("0\t0\n5\t6\n", {1, 1});
+  const auto table = d.commands.paste("0\t0\n5\t6\n", {1, 1});
   REQUIRE(table);
   CHECK(table->warnings.empty());
   CHECK(table->without.empty());
-  const auto map = d.desk.paste("POLYGON ((0 0, 4 0, 4 4, 0 0))\nPOINT Z (7 8 9)", {1, 1});
+  const auto map = d.commands.paste("POLYGON ((0 0, 4 0, 4 4, 0 0))\nPOINT Z (7 8 9)", {1, 1});
   REQUIRE(map);
   CHECK(map->without == "their order along 1 contour");
   REQUIRE(map->warnings.size() == 2);
@@ -306,7 +306,7 @@ TEST_CASE("what a pasted text has besides is said") {
   CHECK_THAT(map->warnings[1], Catch::StartsWith("clipboard:2:") && Catch::Contains("heights"));
   const std::size_t before = d.document().sample_count();
   CHECK(before > 100);
-  const auto drawing = d.desk.paste(
+  const auto drawing = d.commands.paste(
       R"(<svg xmlns="http://www.w3.org/2000/svg"><rect width="3" height="2"/><text>a</text><text>b</text></svg>)",
       {1, 1});
   REQUIRE(drawing);
@@ -322,21 +322,21 @@ TEST_CASE("a drawing or map begins a document where there is none, and a table o
   const std::string table = "0\t0\n5\t6\n";
   SelectionBench filled({.positions = {{1, 2}}});
   for (const std::string& text : {polygon, map, table})
-    CHECK_FALSE(filled.desk.begins_document(text, MapDegrees::projected));
+    CHECK_FALSE(filled.commands.begins_document(text, MapDegrees::projected));
   SelectionBench empty({});
-  CHECK(empty.desk.begins_document(polygon, MapDegrees::projected));
-  CHECK(empty.desk.begins_document(map, MapDegrees::projected));
+  CHECK(empty.commands.begins_document(polygon, MapDegrees::projected));
+  CHECK(empty.commands.begins_document(map, MapDegrees::projected));
   const std::string circle = R"(<svg xmlns="http://www.w3.org/2000/svg"><circle r="5"/></svg>)";
-  CHECK(empty.desk.begins_document(circle, MapDegrees::projected));
+  CHECK(empty.commands.begins_document(circle, MapDegrees::projected));
   // Samples that were cut come back by an edit.
   for (const std::string& text : {table, std::string("WPOFF 1 0 0\n7 7 1\n"), std::string("hello"), std::string()})
-    CHECK_FALSE(empty.desk.begins_document(text, MapDegrees::projected));
+    CHECK_FALSE(empty.commands.begins_document(text, MapDegrees::projected));
 }
 
 TEST_CASE("a clipboard without text is said to have none") {
   SelectionBench d({.positions = {{1, 2}}});
   for (const std::string text : {"", " \t\r\n"}) {
-    const auto done = d.desk.paste(text, {1, 1});
+    const auto done = d.commands.paste(text, {1, 1});
     REQUIRE_FALSE(done);
     CHECK(done.error().message() == "There is no text on the clipboard");
   }
@@ -344,16 +344,16 @@ TEST_CASE("a clipboard without text is said to have none") {
 
 TEST_CASE("with nothing selected nothing happens") {
   SelectionBench d(square_and_ball());
-  CHECK(d.desk.numbers().samples + d.desk.numbers().balls == 0);
-  CHECK(d.desk.move_middle_to({1, 1}));
-  CHECK(d.desk.move_by({1, 1}));
-  CHECK(d.desk.turn(10));
-  CHECK(d.desk.scale(2));
-  CHECK(d.desk.mirror(Axis::y));
-  CHECK(d.desk.align(Alignment::top));
-  CHECK(d.desk.distribute(Axis::x));
-  CHECK(d.desk.place_each({.x = "x + 1"}));
-  CHECK(d.desk.duplicate({1, 1}));
-  CHECK(d.desk.text().empty());
+  CHECK(d.commands.numbers().samples + d.commands.numbers().balls == 0);
+  CHECK(d.commands.move_middle_to({1, 1}));
+  CHECK(d.commands.move_by({1, 1}));
+  CHECK(d.commands.turn(10));
+  CHECK(d.commands.scale(2));
+  CHECK(d.commands.mirror(Axis::y));
+  CHECK(d.commands.align(Alignment::top));
+  CHECK(d.commands.distribute(Axis::x));
+  CHECK(d.commands.place_each({.x = "x + 1"}));
+  CHECK(d.commands.duplicate({1, 1}));
+  CHECK(d.commands.text().empty());
   CHECK_FALSE(d.editor.can_undo());
 }

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "app/editing/first_ball.h"
-#include "app/editing/selection_desk.h"
+#include "app/editing/selection_commands.h"
 #include "app/export/geometry_export.h"
 #include "app/insight/computation_control.h"
 #include "app/insight/parameter_sweep.h"
@@ -228,7 +228,7 @@ TEST_CASE("files and pasted text are read by the formats of the present registry
   Editor editor{{}};
   FileDesk files(
       registry, editor, [] { return Session(); }, bell.ring());
-  SelectionDesk desk(registry, editor);
+  SelectionCommands commands(registry, editor);
   TraceDesk tracing(registry, bell.ring());
   const auto opened = [&] {
     files.open(file);
@@ -247,7 +247,7 @@ TEST_CASE("files and pasted text are read by the formats of the present registry
   const ShippedLesson lesson{file, "three", "Three"};
   const auto refusal = [&] { return session_of(registry.now(), lesson, {}).error().text; };
   CHECK_FALSE(opened());
-  CHECK_FALSE(desk.paste("three 0 0 1 0 0 1", {1, 0}, MapDegrees::projected));
+  CHECK_FALSE(commands.paste("three 0 0 1 0 0 1", {1, 0}, MapDegrees::projected));
   CHECK_FALSE(traced());
   CHECK_FALSE(holdings());
   CHECK(refusal() != "this is not a session but three");
@@ -272,7 +272,7 @@ TEST_CASE("files and pasted text are read by the formats of the present registry
   registry.set(std::make_shared<const Registry>(with));
   CHECK(opened());
   CHECK(editor.document().sample_count() == 3);
-  CHECK(desk.paste("three 0 0 1 0 0 1", {1, 0}, MapDegrees::projected));
+  CHECK(commands.paste("three 0 0 1 0 0 1", {1, 0}, MapDegrees::projected));
   CHECK(editor.document().sample_count() == 6);
   CHECK(traced());
   REQUIRE(holdings());

@@ -29,7 +29,7 @@ bool SelectionPanel::report(const Expected<void>& done) {
     return false;
   }
   refusal_.forget();
-  if (desk_.numbers().is_in(canvas_.view().free_box())) return true;
+  if (commands_.numbers().is_in(canvas_.view().free_box())) return true;
   const std::string key = actions_.keymap().key_of(ActionId::fit_selection);
   messages_.remark("The selection lies outside the view: " + descriptor_of(ActionId::fit_selection).name +
                    (key.empty() ? "" : " (" + key + ")") + " shows it");
@@ -78,7 +78,7 @@ void SelectionPanel::action_button(ActionId id, const char* label) {
 }
 
 void SelectionPanel::draw() {
-  const SelectionDesk::Numbers numbers = desk_.numbers();
+  const SelectionCommands::Numbers numbers = commands_.numbers();
   if (numbers.samples + numbers.balls == 0) {
     quiet_paragraph(
         "Nothing is selected. Click a sample or a ball, or drag a box around several, to set them by number.");
@@ -96,29 +96,29 @@ void SelectionPanel::draw() {
 }
 
 void SelectionPanel::draw_place() {
-  const SelectionDesk::Numbers numbers = desk_.numbers();
+  const SelectionCommands::Numbers numbers = commands_.numbers();
   const float unit = gui_.unit();
   const bool is_one = numbers.samples + numbers.balls == 1;
   label(gui_, is_one ? "Position" : "Middle");
   const float half = 0.5F * (ImGui::GetContentRegionAvail().x - kSelectionGap * unit);
   number("##x", numbers.middle.x, half, "x; an expression such as 2/3 or sqrt(2) is computed when the field is left",
          [&](double x) {
-           return desk_.move_middle_to({x, numbers.middle.y});
+           return commands_.move_middle_to({x, numbers.middle.y});
          });
   ImGui::SameLine(0, kSelectionGap * unit);
   number("##y", numbers.middle.y, half, "y; an expression such as 2/3 or sqrt(2) is computed when the field is left",
          [&](double y) {
-           return desk_.move_middle_to({numbers.middle.x, y});
+           return commands_.move_middle_to({numbers.middle.x, y});
          });
   if (numbers.balls == 0) return;
   label(gui_, "Radius");
   number("##r", numbers.radius, half,
          numbers.balls == 1 ? "Radius of the ball" : "Radius of all balls; that of the largest is shown",
-         [&](double r) { return desk_.set_radius(r); });
+         [&](double r) { return commands_.set_radius(r); });
 }
 
 void SelectionPanel::draw_motion() {
-  const SelectionDesk::Numbers numbers = desk_.numbers();
+  const SelectionCommands::Numbers numbers = commands_.numbers();
   const float unit = gui_.unit();
   label(gui_, "Move by");
   const float button = ImGui::CalcTextSize("Move").x + 2 * ImGui::GetStyle().FramePadding.x;
@@ -129,7 +129,7 @@ void SelectionPanel::draw_motion() {
     if (!dx) return std::unexpected(dx.error());
     const auto dy = step_y_.empty() ? Expected<double>(0.0) : number_of(step_y_);
     if (!dy) return std::unexpected(dy.error());
-    return desk_.move_by({*dx, *dy});
+    return commands_.move_by({*dx, *dy});
   };
   const auto step = [&](const char* id, const char* hint, std::string& text, const char* explanation) {
     ImGui::SetNextItemWidth(half);
@@ -143,10 +143,10 @@ void SelectionPanel::draw_motion() {
   if (numbers.samples + numbers.balls < 2) return;
   label(gui_, "Turn by");
   wish("##degrees", "degrees", degrees_, "Turn", "About the middle, counter-clockwise, in degrees",
-       [&](double degrees) { return desk_.turn(degrees); });
+       [&](double degrees) { return commands_.turn(degrees); });
   label(gui_, "Scale by");
   wish("##factor", "factor", factor_, "Scale", "About the middle; radii are multiplied, too",
-       [&](double factor) { return desk_.scale(factor); });
+       [&](double factor) { return commands_.scale(factor); });
 }
 
 void SelectionPanel::draw_arrangement() {
@@ -186,7 +186,7 @@ void SelectionPanel::draw_arrangement() {
 }
 
 void SelectionPanel::draw_formulas() {
-  const SelectionDesk::Numbers numbers = desk_.numbers();
+  const SelectionCommands::Numbers numbers = commands_.numbers();
   const char* const explanation =
       "A formula for each one. x, y, r: its own numbers; i: its index, from 0; n: how many there are; cx, cy: the "
       "middle; pi, e, deg. For example cx + 10 * cos(2*pi*i/n)";
@@ -194,7 +194,7 @@ void SelectionPanel::draw_formulas() {
     label(gui_, name);
     ImGui::SetNextItemWidth(-1.0F);
     if (ImGui::InputTextWithHint(id, "a formula for each", &text, ImGuiInputTextFlags_EnterReturnsTrue))
-      enter(text, desk_.place_each(each_));
+      enter(text, commands_.place_each(each_));
     tooltip(gui_, explanation);
   };
   field("Each x =", "##each-x", each_.x);
@@ -203,7 +203,7 @@ void SelectionPanel::draw_formulas() {
   ImGui::Dummy({0, 0});
   ImGui::SameLine(kLabelWidth * gui_.unit());
   ImGui::BeginDisabled(each_.x.empty() && each_.y.empty() && each_.r.empty());
-  if (ImGui::Button("Place each")) report(desk_.place_each(each_));
+  if (ImGui::Button("Place each")) report(commands_.place_each(each_));
   ImGui::EndDisabled();
   tooltip(gui_, explanation);
 }

@@ -9,7 +9,7 @@
 #include "app/actions/messages.h"
 #include "app/actions/refusal.h"
 #include "app/canvas/canvas.h"
-#include "app/editing/selection_desk.h"
+#include "app/editing/selection_commands.h"
 #include "app/ui/gui.h"
 
 namespace mes {
@@ -18,9 +18,9 @@ namespace mes {
 /// another message reports points that were moved outside the view. Threads: the window's.
 class SelectionPanel {
  public:
-  SelectionPanel(const Gui& gui, const ActionBindings& actions, SelectionDesk& desk, const Canvas& canvas,
+  SelectionPanel(const Gui& gui, const ActionBindings& actions, SelectionCommands& commands, const Canvas& canvas,
                  Messages& messages)
-      : gui_(gui), actions_(actions), desk_(desk), canvas_(canvas), messages_(messages), refusal_(messages) {}
+      : gui_(gui), actions_(actions), commands_(commands), canvas_(canvas), messages_(messages), refusal_(messages) {}
 
   void draw();
 
@@ -43,7 +43,7 @@ class SelectionPanel {
 
   const Gui& gui_;
   const ActionBindings& actions_;
-  SelectionDesk& desk_;
+  SelectionCommands& commands_;
   const Canvas& canvas_;
   Messages& messages_;
   Refusal refusal_;
@@ -51,7 +51,7 @@ class SelectionPanel {
   std::string step_y_;
   std::string degrees_;
   std::string factor_;
-  SelectionDesk::EachFormula each_;
+  SelectionCommands::EachFormula each_;
 };
 
 }  // namespace mes

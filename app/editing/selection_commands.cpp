@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/editing/selection_desk.h"
+#include "app/editing/selection_commands.h"
 
 #include <fmt/core.h>
 
@@ -60,7 +60,7 @@ std::string what_is_left_out(const SampleData& pasted) {
 
 }  // namespace
 
-SelectionDesk::Places SelectionDesk::places() const {
+SelectionCommands::Places SelectionCommands::places() const {
   const Document& document = editor_.document();
   const Selection& selection = editor_.selection();
   Places out;
@@ -78,7 +78,7 @@ SelectionDesk::Places SelectionDesk::places() const {
   return out;
 }
 
-const SelectionDesk::Numbers& SelectionDesk::numbers() const {
+const SelectionCommands::Numbers& SelectionCommands::numbers() const {
   const std::pair now{editor_.selection().revision(), editor_.document().revision()};
   if (numbers_of_ == now) return numbers_;
   const Places all = places();
@@ -89,12 +89,12 @@ const SelectionDesk::Numbers& SelectionDesk::numbers() const {
   return numbers_;
 }
 
-Expected<void> SelectionDesk::put(const Places& from, std::vector<Vec2> at, const std::string& verb) {
+Expected<void> SelectionCommands::put(const Places& from, std::vector<Vec2> at, const std::string& verb) {
   return put(from, std::move(at), from.radius, verb);
 }
 
-Expected<void> SelectionDesk::put(const Places& from, std::vector<Vec2> at, std::vector<double> radius,
-                                  const std::string& verb) {
+Expected<void> SelectionCommands::put(const Places& from, std::vector<Vec2> at, std::vector<double> radius,
+                                      const std::string& verb) {
   std::vector<std::pair<SampleId, Vec2>> samples;
   std::vector<std::pair<BallId, Disk>> balls;
   const std::size_t count = from.samples.size();
@@ -107,7 +107,7 @@ Expected<void> SelectionDesk::put(const Places& from, std::vector<Vec2> at, std:
   return editor_.move(samples, balls, verb + ' ' + noun(from.samples.size(), from.balls.size()));
 }
 
-Expected<void> SelectionDesk::move_middle_to(Vec2 place) {
+Expected<void> SelectionCommands::move_middle_to(Vec2 place) {
   Places all = places();
   // A single point is put exactly at its target, without the rounding of a difference.
   if (all.at.size() == 1) return put(all, {place}, "Move");
@@ -117,25 +117,25 @@ Expected<void> SelectionDesk::move_middle_to(Vec2 place) {
   return put(all, std::move(at), "Move");
 }
 
-Expected<void> SelectionDesk::move_by(Vec2 step) {
+Expected<void> SelectionCommands::move_by(Vec2 step) {
   const Places all = places();
   std::vector<Vec2> at = all.at;
   for (Vec2& p : at) p = p + step;
   return put(all, std::move(at), "Move");
 }
 
-Expected<void> SelectionDesk::set_radius(double radius) {
+Expected<void> SelectionCommands::set_radius(double radius) {
   const Places all = places();
   if (radius < 0.0) return std::unexpected(Error{ErrorCode::bad_input, "a radius cannot be below zero"});
   return put(all, all.at, std::vector<double>(all.radius.size(), radius), "Set radius of");
 }
 
-Expected<void> SelectionDesk::turn(double degrees) {
+Expected<void> SelectionCommands::turn(double degrees) {
   const Places all = places();
   return put(all, turned(all.at, middle_of(all.at), degrees), "Turn");
 }
 
-Expected<void> SelectionDesk::scale(double factor) {
+Expected<void> SelectionCommands::scale(double factor) {
   if (!(factor > 0.0)) return std::unexpected(Error{ErrorCode::bad_input, "a factor to scale by must be above zero"});
   const Places all = places();
   std::vector<double> radius = all.radius;
@@ -143,22 +143,22 @@ Expected<void> SelectionDesk::scale(double factor) {
   return put(all, scaled(all.at, middle_of(all.at), factor), std::move(radius), "Scale");
 }
 
-Expected<void> SelectionDesk::mirror(Axis coordinate) {
+Expected<void> SelectionCommands::mirror(Axis coordinate) {
   const Places all = places();
   return put(all, mirrored(all.at, middle_of(all.at), coordinate), "Mirror");
 }
 
-Expected<void> SelectionDesk::align(Alignment where) {
+Expected<void> SelectionCommands::align(Alignment where) {
   const Places all = places();
   return put(all, aligned(all.at, where), "Align");
 }
 
-Expected<void> SelectionDesk::distribute(Axis coordinate) {
+Expected<void> SelectionCommands::distribute(Axis coordinate) {
   const Places all = places();
   return put(all, distributed(all.at, coordinate), "Distribute");
 }
 
-Expected<void> SelectionDesk::place_each(const EachFormula& formulas) {
+Expected<void> SelectionCommands::place_each(const EachFormula& formulas) {
   const auto x = formula_of(formulas.x, "x");
   if (!x) return std::unexpected(x.error());
   const auto y = formula_of(formulas.y, "y");
@@ -189,7 +189,7 @@ Expected<void> SelectionDesk::place_each(const EachFormula& formulas) {
   return put(all, std::move(at), std::move(radius), "Place");
 }
 
-Expected<std::string> SelectionDesk::put_on_line() {
+Expected<std::string> SelectionCommands::put_on_line() {
   const Places all = places();
   auto line = on_one_line(all.at);
   if (!line) return std::unexpected(line.error());
@@ -197,7 +197,7 @@ Expected<std::string> SelectionDesk::put_on_line() {
   return fmt::format("Exactly on one line; moved by {:.3g} at most", line->largest_shift);
 }
 
-Expected<std::string> SelectionDesk::put_on_circle() {
+Expected<std::string> SelectionCommands::put_on_circle() {
   const Places all = places();
   auto circle = on_one_circle(all.at);
   if (!circle) return std::unexpected(circle.error());
@@ -206,7 +206,7 @@ Expected<std::string> SelectionDesk::put_on_circle() {
   return fmt::format("Exactly on one circle; moved by {:.3g} at most", circle->largest_shift);
 }
 
-Expected<void> SelectionDesk::add_circle() {
+Expected<void> SelectionCommands::add_circle() {
   const Places all = places();
   if (all.at.size() != 3) return std::unexpected(Error{ErrorCode::bad_input, "select three points for a circle"});
   const Circle circle = circumcircle(all.at[0], all.at[1], all.at[2]);
@@ -215,7 +215,7 @@ Expected<void> SelectionDesk::add_circle() {
   return add({}, {{circle.center, circle.radius}}, {}, "Circle through three");
 }
 
-std::string SelectionDesk::text() const {
+std::string SelectionCommands::text() const {
   const Document& document = editor_.document();
   const Places all = places();
   std::vector<Disk> balls;
@@ -238,8 +238,8 @@ std::string SelectionDesk::text() const {
   return out;
 }
 
-Expected<void> SelectionDesk::add_contours(const std::vector<SampleData::Contour>& contours,
-                                           const std::vector<SampleSlot>& rows, const std::string& name) {
+Expected<void> SelectionCommands::add_contours(const std::vector<SampleData::Contour>& contours,
+                                               const std::vector<SampleSlot>& rows, const std::string& name) {
   if (contours.empty()) return {};
   const Document& document = editor_.document();
   CurveOrder all = *document.curve_order();
@@ -250,8 +250,8 @@ Expected<void> SelectionDesk::add_contours(const std::vector<SampleData::Contour
   return editor_.set_contours(std::move(all), name);
 }
 
-Expected<void> SelectionDesk::add(std::vector<Vec2> samples, std::vector<Disk> balls, Vec2 shift,
-                                  const std::string& verb, const std::vector<SampleData::Contour>& contours) {
+Expected<void> SelectionCommands::add(std::vector<Vec2> samples, std::vector<Disk> balls, Vec2 shift,
+                                      const std::string& verb, const std::vector<SampleData::Contour>& contours) {
   for (Vec2& p : samples) p = p + shift;
   for (Disk& disk : balls) disk.center = disk.center + shift;
   const std::string name = verb.ends_with(' ') ? verb + noun(samples.size(), balls.size()) : verb;
@@ -275,19 +275,19 @@ Expected<void> SelectionDesk::add(std::vector<Vec2> samples, std::vector<Disk> b
   return {};
 }
 
-Expected<LoadedFile> SelectionDesk::read(std::string_view text, MapDegrees degrees) const {
+Expected<LoadedFile> SelectionCommands::read(std::string_view text, MapDegrees degrees) const {
   if (text.find_first_not_of(" \t\r\n") == std::string_view::npos)
     return std::unexpected(Error{ErrorCode::bad_input, "There is no text on the clipboard"});
   return read_sample_bytes(text, "clipboard", {}, {.degrees = degrees, .formats = &registry_.now().formats()});
 }
 
-bool SelectionDesk::begins_document(std::string_view text, MapDegrees degrees) const {
+bool SelectionCommands::begins_document(std::string_view text, MapDegrees degrees) const {
   if (!editor_.document().is_empty()) return false;
   const auto read = this->read(text, degrees);
   return read && (read->session || read->data.source || read->data.map || !what_is_left_out(read->data).empty());
 }
 
-Expected<SelectionDesk::Pasted> SelectionDesk::paste(std::string_view text, Vec2 step, MapDegrees degrees) {
+Expected<SelectionCommands::Pasted> SelectionCommands::paste(std::string_view text, Vec2 step, MapDegrees degrees) {
   auto read = this->read(text, degrees);
   if (!read) return std::unexpected(read.error());
   SampleData& data = read->data;
@@ -325,7 +325,7 @@ Expected<SelectionDesk::Pasted> SelectionDesk::paste(std::string_view text, Vec2
   return out;
 }
 
-Expected<void> SelectionDesk::duplicate(Vec2 step) {
+Expected<void> SelectionCommands::duplicate(Vec2 step) {
   const Places all = places();
   if (all.at.empty()) return {};
   std::vector<Disk> balls;

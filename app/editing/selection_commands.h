@@ -21,13 +21,13 @@ namespace mes {
 ///  3. Without a selection nothing happens.
 ///
 /// Smallest use:
-///     if (const auto done = desk.turn(30); !done) messages.problem(done.error().message());
+///     if (const auto done = commands.turn(30); !done) messages.problem(done.error().message());
 ///
 /// Cost: O(selected), and O(rows) to find them; on a circle some milliseconds more. Threads: the window's. Depends on
 /// no window and no OpenGL.
-class SelectionDesk {
+class SelectionCommands {
  public:
-  SelectionDesk(LiveRegistry registry, Editor& editor) : registry_(std::move(registry)), editor_(editor) {}
+  SelectionCommands(LiveRegistry registry, Editor& editor) : registry_(std::move(registry)), editor_(editor) {}
 
   /// Numbers of the selection, in units of the document.
   struct Numbers {

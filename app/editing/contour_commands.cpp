@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/editing/contour_desk.h"
+#include "app/editing/contour_commands.h"
 
 #include <algorithm>
 #include <array>
@@ -24,13 +24,13 @@ std::string counted_contours(std::size_t count) {
 
 }  // namespace
 
-std::vector<SampleId> ContourDesk::selected() const {
+std::vector<SampleId> ContourCommands::selected() const {
   std::vector<SampleId> out;
   for (const SampleSlot slot : editor_.selection().slots()) out.push_back(editor_.document().id(slot));
   return out;
 }
 
-Expected<void> ContourDesk::put(const CurveOrder& contours, const std::string& name) {
+Expected<void> ContourCommands::put(const CurveOrder& contours, const std::string& name) {
   editor_.note_layers();
   if (auto done = editor_.set_contours(contours, name); !done) return done;
   if (const LayerIndex layer = layers_.find("contours"); layer != kNoLayer) layers_.set_visible(layer, true);
@@ -38,7 +38,7 @@ Expected<void> ContourDesk::put(const CurveOrder& contours, const std::string& n
   return {};
 }
 
-Expected<std::string> ContourDesk::change(ContourChange change) {
+Expected<std::string> ContourCommands::change(ContourChange change) {
   const std::size_t before = editor_.document().curve_order()->contours.size();
   const auto contours = changed_contours(editor_.document(), change, selected());
   if (!contours) return std::unexpected(contours.error());
@@ -49,12 +49,12 @@ Expected<std::string> ContourDesk::change(ContourChange change) {
          (before == after ? "" : " instead of " + std::to_string(before));
 }
 
-void ContourDesk::begin_along_crust() {
+void ContourCommands::begin_along_crust() {
   is_wanted_ = true;
   if (crust_.now() == nullptr) crust_.find();
 }
 
-Expected<std::string> ContourDesk::along(const CrustChains::Curve& curve) {
+Expected<std::string> ContourCommands::along(const CrustChains::Curve& curve) {
   const Document& document = editor_.document();
   const Selection& selection = editor_.selection();
   const bool takes_all = selection.sample_count() == 0;
@@ -75,7 +75,7 @@ Expected<std::string> ContourDesk::along(const CrustChains::Curve& curve) {
   return counted_contours(count) + " along the crust";
 }
 
-Expected<std::optional<std::string>> ContourDesk::follow() {
+Expected<std::optional<std::string>> ContourCommands::follow() {
   if (editor_.in_gesture()) return std::nullopt;
   const Expected<bool> is_found = crust_.follow();
   if (!is_found) {

@@ -19,14 +19,14 @@ namespace mes {
 ///  3. A thread finds contours along the crust; if the document changes meanwhile, the request is dropped.
 ///
 /// Smallest use:
-///     if (const auto done = desk.change(ContourChange::join); !done) messages.problem(done.error().message());
-///     desk.begin_along_crust();
-///     ... once a turn: const auto remark = desk.follow();
+///     if (const auto done = commands.change(ContourChange::join); !done) messages.problem(done.error().message());
+///     commands.begin_along_crust();
+///     ... once a turn: const auto remark = commands.follow();
 ///
 /// Threads: the window's; `wake` is called from another.
-class ContourDesk {
+class ContourCommands {
  public:
-  ContourDesk(Editor& editor, LayerStack& layers, Waker wake)
+  ContourCommands(Editor& editor, LayerStack& layers, Waker wake)
       : editor_(editor), layers_(layers), crust_(editor, std::move(wake)) {}
 
   /// Changes the contours that have selected samples. Returns a sentence on the effect.
