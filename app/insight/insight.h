@@ -2,10 +2,10 @@
 // Tables and numbers that are computed beside the picture, while panels show them.
 #pragma once
 
-#include "app/insight/branch_desk.h"
 #include "app/insight/critical_values.h"
+#include "app/insight/latest_branches.h"
+#include "app/insight/latest_persistence.h"
 #include "app/insight/parameter_sweep.h"
-#include "app/insight/persistence_desk.h"
 #include "app/insight/scale_events.h"
 #include "app/system/waker.h"
 #include "core/graph/live_registry.h"
@@ -28,9 +28,9 @@ struct Insight {
     critical_values.end_frame();
   }
 
-  BranchDesk branches;
-  PersistenceDesk persistence;
-  SweepDesk sweep;
+  LatestBranches branches;
+  LatestPersistence persistence;
+  SweepJob sweep;
   ScaleEvents scale_events;
   CriticalValues critical_values;
 };

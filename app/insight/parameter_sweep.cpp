@@ -107,7 +107,7 @@ Expected<std::string> sweep_as_csv(const Registry& registry, const ParameterSwee
   return lines.text();
 }
 
-void SweepDesk::begin(ParameterSweep sweep) {
+void SweepJob::begin(ParameterSweep sweep) {
   // A new counter, because a sweep that was given up may still write to the old one.
   done_ = std::make_shared<std::atomic<double>>(0.0);
   job_.begin([registry = registry_.share(), sweep = std::move(sweep),

@@ -36,9 +36,9 @@ Expected<std::string> sweep_as_csv(const Registry& registry, const ParameterSwee
                                    const std::function<void(double)>& progress, JobControl& job);
 
 /// Runs one sweep at a time on a thread of its own. Threads: the window's; `wake` is called from the other.
-class SweepDesk {
+class SweepJob {
  public:
-  SweepDesk(LiveRegistry registry, Waker wake) : registry_(std::move(registry)), job_(std::move(wake)) {}
+  SweepJob(LiveRegistry registry, Waker wake) : registry_(std::move(registry)), job_(std::move(wake)) {}
 
   void begin(ParameterSweep sweep);
   void give_up() { job_.give_up(); }

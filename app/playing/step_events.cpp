@@ -92,21 +92,21 @@ void StepEvents::forget() {
 }
 
 void StepEvents::follow_growth(const StepRange& range) {
-  PersistenceDesk& desk = uses_.persistence;
-  const auto shown = shown_growth(uses_.layers, desk.growth());
+  LatestPersistence& latest = uses_.persistence;
+  const auto shown = shown_growth(uses_.layers, latest.growth());
   if (!shown) return forget();
   // An open page has already chosen the family.
-  if (!desk.is_followed())
-    desk.choose_growth(*shown);
-  else if (desk.growth() != *shown)
+  if (!latest.is_followed())
+    latest.choose_growth(*shown);
+  else if (latest.growth() != *shown)
     return forget();
-  desk.follow(uses_.editor.document(), uses_.computation.settings());
-  if (!desk.is_current()) {
+  latest.follow(uses_.editor.document(), uses_.computation.settings());
+  if (!latest.is_current()) {
     forget();
-    problem_ = desk.problem();
-  } else if (table_ != desk.shared_table() || range_ != range) {
+    problem_ = latest.problem();
+  } else if (table_ != latest.shared_table() || range_ != range) {
     forget();
-    table_ = desk.shared_table();
+    table_ = latest.shared_table();
     range_ = range;
     events_ = step_events_of(range, *table_);
   }

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "app/insight/computation_control.h"
-#include "app/insight/persistence_desk.h"
+#include "app/insight/latest_persistence.h"
 #include "app/insight/scale_events.h"
 #include "app/layers/layer_stack.h"
 #include "app/playing/evolution_player.h"
@@ -53,7 +53,7 @@ class StepEvents {
     const Editor& editor;
     const LayerStack& layers;
     const ComputationControl& computation;
-    PersistenceDesk& persistence;
+    LatestPersistence& persistence;
     ScaleEvents& scale_events;
   };
   explicit StepEvents(const Uses& uses) : uses_(uses) {}

@@ -46,7 +46,7 @@ DocumentFlow::DocumentFlow(Uses uses, const fs::path& assets, const Waker& wake)
           wake),
       tracing_({uses_.work.live_registry(), uses_.board, uses_.dialogs, uses_.messages,
                 [this](std::function<void()> then) { with_saved_work(std::move(then)); },
-                [this](TraceDesk::Samples samples, const std::string& title) {
+                [this](TraceJob::Samples samples, const std::string& title) {
                   traced_with_next_.clear();
                   files_.open_made(std::make_shared<const SampleData>(std::move(samples.data)), title,
                                    samples.remark);

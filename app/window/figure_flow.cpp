@@ -19,16 +19,16 @@ namespace mes {
 
 FigureFlow::FigureFlow(Uses uses, Waker wake)
     : uses_(std::move(uses)),
-      desk_(uses_.work.live_registry(), wake),
+      latest_(uses_.work.live_registry(), wake),
       writing_geometry_(wake),
       lesson_(std::move(wake)) {
-  uses_.dialogs.figure.set_uses({.desk = desk_,
+  uses_.dialogs.figure.set_uses({.latest = latest_,
                                  .settings = uses_.settings.figure,
                                  .ask_file = [this] { ask_figure(); },
                                  .texture = [this] { return texture(); },
                                  .closed =
                                      [this] {
-                                       if (!desk_.is_saving()) desk_.end();
+                                       if (!latest_.is_saving()) latest_.end();
                                      }});
 }
 
@@ -43,11 +43,11 @@ void FigureFlow::bind(ActionBindings& actions) {
 }
 
 void FigureFlow::open() {
-  if (desk_.is_saving()) {
+  if (latest_.is_saving()) {
     uses_.messages.notice("A figure is being written; the next one can be exported when that is done");
     return;
   }
-  desk_.begin(subject());
+  latest_.begin(subject());
   uses_.dialogs.figure.open();
 }
 
@@ -102,7 +102,7 @@ void FigureFlow::ask_file_for(const std::string& heading, const std::string& suf
 
 void FigureFlow::ask_figure() {
   ask_file_for("Export a figure", "", {uses_.settings.figure.extension}, [this](const std::filesystem::path& file) {
-    desk_.save(file);
+    latest_.save(file);
     uses_.dialogs.figure.close();
   });
 }
@@ -265,25 +265,25 @@ void FigureFlow::take_results() {
   take_geometry();
   take_lesson();
   uses_.dialogs.figure.set_covered(uses_.dialogs.browser.is_open());
-  if (!desk_.follow()) return;
+  if (!latest_.follow()) return;
   uses_.screen.clock.settle();
-  const auto saved = desk_.take_saved();
+  const auto saved = latest_.take_saved();
   if (!saved) return;
   if (saved->outcome)
     uses_.messages.remark("Exported " + saved->file.string());
   else
     uses_.messages.problem(saved->outcome.error().message());
-  if (!uses_.dialogs.figure.is_open()) desk_.end();
+  if (!uses_.dialogs.figure.is_open()) latest_.end();
 }
 
 ImTextureID FigureFlow::texture() {
-  const FigurePreview* const preview = desk_.preview();
+  const FigurePreview* const preview = latest_.preview();
   if (preview == nullptr) return nullptr;
   render::GlDevice& device = uses_.board.picture().device();
-  if (!texture_ || textured_ != desk_.preview_number()) {
+  if (!texture_ || textured_ != latest_.preview_number()) {
     forget_texture();
     texture_ = device.create_texture(preview->image.width, preview->image.height, preview->image.rgba, true);
-    textured_ = desk_.preview_number();
+    textured_ = latest_.preview_number();
   }
   return reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(device.name_of(*texture_)));
 }

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "app/actions/action_bindings.h"
-#include "app/export/figure_desk.h"
+#include "app/export/latest_figure.h"
 #include "app/insight/center_line_run.h"
 #include "app/panels/dialogs/dialogs.h"
 #include "app/recording/lesson_export.h"
@@ -19,8 +19,8 @@
 
 namespace mes {
 
-/// Guarantees: it never waits for a figure or a lesson to be computed, drawn or written. Needs a current OpenGL context for its
-/// whole life. Threads: the window's; `wake` is called from others.
+/// Guarantees: it never waits for a figure or a lesson to be computed, drawn or written. Needs a current OpenGL context
+/// for its whole life. Threads: the window's; `wake` is called from others.
 class FigureFlow {
  public:
   struct Uses {
@@ -85,7 +85,7 @@ class FigureFlow {
   void forget_texture();
 
   Uses uses_;
-  FigureDesk desk_;
+  LatestFigure latest_;
   BackgroundJob<WrittenGeometry> writing_geometry_;
   LessonExport lesson_;
   std::optional<render::TextureId> texture_;

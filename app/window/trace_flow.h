@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "app/panels/dialogs/dialogs.h"
-#include "app/store/trace_desk.h"
+#include "app/store/trace_job.h"
 #include "app/system/waker.h"
 #include "app/window/drawing_board.h"
 #include "core/graph/live_registry.h"
@@ -25,7 +25,7 @@ class TraceFlow {
     Dialogs& dialogs;
     Messages& messages;
     std::function<void(std::function<void()> then)> leave_work;  ///< continues when the work is saved or given up
-    std::function<void(TraceDesk::Samples samples, const std::string& title)> open_made;
+    std::function<void(TraceJob::Samples samples, const std::string& title)> open_made;
   };
   TraceFlow(Uses uses, Waker wake);
   ~TraceFlow() { forget_texture(); }
@@ -37,13 +37,13 @@ class TraceFlow {
   void take_results();
 
  private:
-  void take_samples(Expected<TraceDesk::Samples> samples);
+  void take_samples(Expected<TraceJob::Samples> samples);
   /// Texture of the preview, created on demand.
   ImTextureID texture();
   void forget_texture();
 
   Uses uses_;
-  TraceDesk desk_;
+  TraceJob job_;
   std::optional<render::TextureId> texture_;
   std::uint64_t textured_ = 0;  // number of the preview in the texture
 };

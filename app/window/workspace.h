@@ -17,7 +17,7 @@
 #include "app/editing/editor.h"
 #include "app/editing/first_ball.h"
 #include "app/editing/hidden_additions.h"
-#include "app/editing/resample_desk.h"
+#include "app/editing/resample_job.h"
 #include "app/editing/selection_commands.h"
 #include "app/editing/update_hold.h"
 #include "app/export/comparison.h"
@@ -67,7 +67,7 @@ class Workspace {
   const AnnotationDesk& annotations() const { return annotations_; }
   SelectionCommands& selection_commands() { return selection_commands_; }
   Insight& insight() { return insight_; }
-  ResampleDesk& resampling() { return resampling_; }
+  ResampleJob& resampling() { return resampling_; }
   HiddenAdditions& hidden_additions() { return hidden_additions_; }
   CurveSampler& curve_sampler() { return curve_sampler_; }
   const CurveSampler& curve_sampler() const { return curve_sampler_; }
@@ -171,7 +171,7 @@ class Workspace {
   ContourCommands contour_commands_;
   CurveSampler curve_sampler_;
   Insight insight_;
-  ResampleDesk resampling_;
+  ResampleJob resampling_;
   EvolutionPlayer evolution_;
   PaneList panes_;
   PaneDocuments pane_documents_;

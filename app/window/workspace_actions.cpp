@@ -55,13 +55,13 @@ void Workspace::bind_editing(ActionBindings& actions) {
         nth(ActionId::first_contour_change, i),
         {[this, i] { report_remark(contour_commands_.change(static_cast<ContourChange>(i))); }, has_samples});
   actions.bind(ActionId::contours_along_crust, {[this] { contour_commands_.begin_along_crust(); }, has_two});
-  const auto bind_resampling = [&](ActionId id, ResampleDesk::Wish wish) {
+  const auto bind_resampling = [&](ActionId id, ResampleJob::Wish wish) {
     actions.bind(id, {[this, wish] { resampling_.begin(wish); },
                       {{[this] { return document().sample_count() != 0; }, "there are no samples"},
                        {[this] { return !resampling_.is_under_way(); }, "the sampling is being changed already"}}});
   };
-  bind_resampling(ActionId::repair_sampling, ResampleDesk::Wish::repair);
-  bind_resampling(ActionId::decimate_sampling, ResampleDesk::Wish::decimate);
+  bind_resampling(ActionId::repair_sampling, ResampleJob::Wish::repair);
+  bind_resampling(ActionId::decimate_sampling, ResampleJob::Wish::decimate);
   actions.bind(ActionId::delete_selection,
                {[this] {
                   if (annotations_.current() != nullptr) {

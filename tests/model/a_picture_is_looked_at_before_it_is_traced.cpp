@@ -4,7 +4,7 @@
 #include <cmath>
 #include <semaphore>
 
-#include "app/store/trace_desk.h"
+#include "app/store/trace_job.h"
 #include "core/base/rng.h"
 #include "core/builtins/builtins.h"
 #include "tests/io/temporary_folder.h"
@@ -24,10 +24,10 @@ std::string disk(int side, bool has_hole) {
   return out;
 }
 
-/// A desk, and the way to wait for what it reads.
+/// A job, and the way to wait for what it reads.
 struct Waited {
   std::counting_semaphore<> woken{0};
-  TraceDesk desk{builtins(), [this] { woken.release(); }};
+  TraceJob job{builtins(), [this] { woken.release(); }};
 
   template <class Poll>
   auto next(Poll poll) {
@@ -37,10 +37,10 @@ struct Waited {
     }
   }
   Expected<void> picture() {
-    return next([this] { return desk.poll_picture(); });
+    return next([this] { return job.poll_picture(); });
   }
-  Expected<TraceDesk::Samples> samples() {
-    return next([this] { return desk.poll_samples(); });
+  Expected<TraceJob::Samples> samples() {
+    return next([this] { return job.poll_samples(); });
   }
 };
 
@@ -49,12 +49,12 @@ struct Waited {
 TEST_CASE("outlines are those of a reduced picture, and samples those of the file") {
   const test::TemporaryFolder folder;
   Waited waited;
-  TraceDesk& desk = waited.desk;
-  desk.begin(folder.write("disk.pgm", disk(1100, true)));
-  CHECK(desk.is_busy());
+  TraceJob& job = waited.job;
+  job.begin(folder.write("disk.pgm", disk(1100, true)));
+  CHECK(job.is_busy());
   REQUIRE(waited.picture().has_value());
-  CHECK_FALSE(desk.poll_picture().has_value());
-  const TracePreview* const preview = desk.preview();
+  CHECK_FALSE(job.poll_picture().has_value());
+  const TracePreview* const preview = job.preview();
   REQUIRE(preview != nullptr);
   CHECK(preview->image.width == 550);
   CHECK(preview->reduction == 2.0);
@@ -62,30 +62,30 @@ TEST_CASE("outlines are those of a reduced picture, and samples those of the fil
   CHECK(preview->specks == Approx(121.0));
 
   TraceRequest request{.threshold = 124, .specks = preview->specks};
-  REQUIRE(desk.outlines(request).has_value());
-  CHECK(desk.outlines(request)->curves.curves.size() == 2);
+  REQUIRE(job.outlines(request).has_value());
+  CHECK(job.outlines(request)->curves.curves.size() == 2);
   // The hole has an area of some 38,000 square pixels of the file.
   request.specks = 45000.0;
-  REQUIRE(desk.outlines(request).has_value());
-  CHECK(desk.outlines(request)->curves.curves.size() == 1);
-  CHECK(desk.outlines(request)->counts.pinholes == 1);
+  REQUIRE(job.outlines(request).has_value());
+  CHECK(job.outlines(request)->curves.curves.size() == 1);
+  CHECK(job.outlines(request)->counts.pinholes == 1);
   request.threshold = 220;
-  CHECK_FALSE(desk.outlines(request).has_value());
+  CHECK_FALSE(job.outlines(request).has_value());
   request.threshold = 124;
-  CHECK(desk.outlines(request).has_value());
+  CHECK(job.outlines(request).has_value());
 
-  desk.trace(request);
-  CHECK(desk.is_tracing());
+  job.trace(request);
+  CHECK(job.is_tracing());
   const auto samples = waited.samples();
   REQUIRE(samples.has_value());
   CHECK(samples->data.contours.size() == 1);
   CHECK(samples->data.positions.size() >= 400);
   for (const Vec2 p : samples->data.positions) CHECK(std::abs(distance(p, {550.5, 549.5}) - 275.0) < 0.5);
   CHECK_THAT(samples->remark, Catch::Contains("traced all pixels of grey value 124 or darker; left out: 1 hole"));
-  CHECK_FALSE(desk.is_tracing());
+  CHECK_FALSE(job.is_tracing());
   // The whole picture is asked for the last request, too.
-  for (desk.follow(); desk.is_busy(); desk.follow()) waited.woken.acquire();
-  CHECK(desk.outlines(request)->counts.blur == 0.0);
+  for (job.follow(); job.is_busy(); job.follow()) waited.woken.acquire();
+  CHECK(job.outlines(request)->counts.blur == 0.0);
 }
 
 TEST_CASE("a reduced picture is blurred as the whole one, though it has less noise") {
@@ -102,22 +102,22 @@ TEST_CASE("a reduced picture is blurred as the whole one, though it has less noi
     }
   const test::TemporaryFolder folder;
   Waited waited;
-  TraceDesk& desk = waited.desk;
-  desk.begin(folder.write("noisy.pgm", noisy));
+  TraceJob& job = waited.job;
+  job.begin(folder.write("noisy.pgm", noisy));
   REQUIRE(waited.picture().has_value());
-  const TracePreview* const preview = desk.preview();
+  const TracePreview* const preview = job.preview();
   REQUIRE(preview != nullptr);
   REQUIRE(preview->reduction == 4.0);
   REQUIRE(preview->whole);
   const auto blur_shown = [&](const TraceRequest& request) {
-    static_cast<void>(desk.outlines(request));
-    while (desk.is_busy()) {
+    static_cast<void>(job.outlines(request));
+    while (job.is_busy()) {
       waited.woken.acquire();
-      desk.follow();
-      static_cast<void>(desk.outlines(request));
+      job.follow();
+      static_cast<void>(job.outlines(request));
     }
-    REQUIRE(desk.outlines(request).has_value());
-    return desk.outlines(request)->counts.blur * desk.preview()->reduction;
+    REQUIRE(job.outlines(request).has_value());
+    return job.outlines(request)->counts.blur * job.preview()->reduction;
   };
   for (const int threshold : {125, 120, 125}) {
     const TraceRequest request{.threshold = threshold, .specks = preview->specks};
@@ -132,7 +132,7 @@ TEST_CASE("a reduced picture is blurred as the whole one, though it has less noi
     CHECK(counts_of_tracing(*preview->whole, request).value().blur == whole->counts.blur);
   }
   // A decision is not of the picture before.
-  desk.begin(folder.write("disk.pgm", disk(1100, true)));
+  job.begin(folder.write("disk.pgm", disk(1100, true)));
   REQUIRE(waited.picture().has_value());
   CHECK(blur_shown({.threshold = 124, .specks = 121.0}) == 0.0);
 }
@@ -152,22 +152,22 @@ TEST_CASE("specks of a large picture are counted as its tracing counts them") {
   }
   const test::TemporaryFolder folder;
   Waited waited;
-  TraceDesk& desk = waited.desk;
-  desk.begin(folder.write("specks.pgm", picture));
+  TraceJob& job = waited.job;
+  job.begin(folder.write("specks.pgm", picture));
   REQUIRE(waited.picture().has_value());
-  REQUIRE(desk.preview()->reduction == 4.0);
+  REQUIRE(job.preview()->reduction == 4.0);
   const TraceRequest request{.threshold = 124, .specks = 30.0};
-  std::optional<TraceCounts> counts = desk.counts(request);
+  std::optional<TraceCounts> counts = job.counts(request);
   while (!counts) {
     waited.woken.acquire();
-    desk.follow();
-    counts = desk.counts(request);
+    job.follow();
+    counts = job.counts(request);
   }
   CHECK(counts->specks == 40);
   CHECK(counts->outlines == 1);
-  REQUIRE(desk.outlines(request).has_value());
-  CHECK(desk.outlines(request)->counts.specks < 40);
-  desk.trace(request);
+  REQUIRE(job.outlines(request).has_value());
+  CHECK(job.outlines(request)->counts.specks < 40);
+  job.trace(request);
   const auto samples = waited.samples();
   REQUIRE(samples.has_value());
   CHECK_THAT(samples->remark, Catch::Contains("left out: 40 specks"));
@@ -177,20 +177,20 @@ TEST_CASE("specks of a large picture are counted as its tracing counts them") {
 TEST_CASE("a picture that cannot be read is an error, and the next one is read all the same") {
   const test::TemporaryFolder folder;
   Waited waited;
-  waited.desk.begin(folder / "missing.png");
+  waited.job.begin(folder / "missing.png");
   const auto missing = waited.picture();
   REQUIRE_FALSE(missing.has_value());
   CHECK_THAT(missing.error().message(), Catch::Contains("missing.png: cannot be read"));
-  CHECK(waited.desk.preview() == nullptr);
-  waited.desk.begin(folder.write("text.png", "POFF 0 0 0\n"));
+  CHECK(waited.job.preview() == nullptr);
+  waited.job.begin(folder.write("text.png", "POFF 0 0 0\n"));
   REQUIRE_FALSE(waited.picture().has_value());
   // Of two in a row only the last comes.
-  waited.desk.begin(folder.write("first.pgm", disk(100, false)));
-  const auto number = waited.desk.preview_number();
-  waited.desk.begin(folder.write("second.pgm", disk(120, false)));
+  waited.job.begin(folder.write("first.pgm", disk(100, false)));
+  const auto number = waited.job.preview_number();
+  waited.job.begin(folder.write("second.pgm", disk(120, false)));
   REQUIRE(waited.picture().has_value());
-  CHECK(waited.desk.preview()->image.width == 120);
-  CHECK(waited.desk.preview_number() == number + 1);
-  waited.desk.end();
-  CHECK(waited.desk.preview() == nullptr);
+  CHECK(waited.job.preview()->image.width == 120);
+  CHECK(waited.job.preview_number() == number + 1);
+  waited.job.end();
+  CHECK(waited.job.preview() == nullptr);
 }

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <string>
 
-#include "app/insight/persistence_desk.h"
+#include "app/insight/latest_persistence.h"
 #include "app/insight/persistence_table.h"
 #include "core/base/rng.h"
 #include "core/builtins/builtins.h"
@@ -32,9 +32,9 @@ SampleData ring(std::size_t count, std::uint64_t seed) {
   return out;
 }
 
-void wait_for_table(PersistenceDesk& desk, std::uint64_t document, const SampleData& data) {
-  do desk.follow(document, [&] { return PersistenceInput{data}; });
-  while (!desk.is_current());
+void wait_for_table(LatestPersistence& latest, std::uint64_t document, const SampleData& data) {
+  do latest.follow(document, [&] { return PersistenceInput{data}; });
+  while (!latest.is_current());
 }
 
 }  // namespace
@@ -167,19 +167,19 @@ TEST_CASE("few samples have few classes, and words and CSV say which") {
 }
 
 TEST_CASE("a class stays chosen while it is there, and nothing is chosen by an outdated table") {
-  PersistenceDesk desk(builtins(), [] {});
+  LatestPersistence latest(builtins(), [] {});
   SampleData data = ring(200, 3);
-  CHECK_FALSE(desk.pick({0.0, 0.0}, 1.0));
-  wait_for_table(desk, 1, data);
-  desk.choose(1);
-  const PersistenceRow chosen = desk.table()->rows[1];
+  CHECK_FALSE(latest.pick({0.0, 0.0}, 1.0));
+  wait_for_table(latest, 1, data);
+  latest.choose(1);
+  const PersistenceRow chosen = latest.table()->rows[1];
   data.positions.push_back({5.0, 5.0});
-  desk.follow(2, [&] { return PersistenceInput{data}; });
-  CHECK_FALSE(desk.is_current());
-  CHECK_FALSE(desk.pick({0.0, 0.0}, 1.0));
-  wait_for_table(desk, 2, data);
-  REQUIRE(desk.chosen().has_value());
-  CHECK(desk.table()->rows[*desk.chosen()].place == chosen.place);
-  CHECK(desk.pick({50.0, 50.0}, 0.1));
-  CHECK_FALSE(desk.chosen().has_value());
+  latest.follow(2, [&] { return PersistenceInput{data}; });
+  CHECK_FALSE(latest.is_current());
+  CHECK_FALSE(latest.pick({0.0, 0.0}, 1.0));
+  wait_for_table(latest, 2, data);
+  REQUIRE(latest.chosen().has_value());
+  CHECK(latest.table()->rows[*latest.chosen()].place == chosen.place);
+  CHECK(latest.pick({50.0, 50.0}, 0.1));
+  CHECK_FALSE(latest.chosen().has_value());
 }

@@ -5,10 +5,10 @@
 #include <numbers>
 
 #include "app/editing/editor.h"
-#include "app/editing/resample_desk.h"
-#include "app/insight/branch_desk.h"
+#include "app/editing/resample_job.h"
 #include "app/insight/branch_table.h"
 #include "app/insight/critical_values.h"
+#include "app/insight/latest_branches.h"
 #include "app/insight/scale_events.h"
 #include "core/base/rng.h"
 #include "core/builtins/builtins.h"
@@ -33,8 +33,8 @@ SampleData rectangle() {
 }
 
 /// Follows until the table is that of the state; the job's thread has nothing to wake here.
-void wait_for(BranchDesk& desk, const BranchDesk::State& state, const SampleData& data) {
-  while (!desk.is_current() || desk.state() != state) desk.follow(state, [&] { return data; });
+void wait_for(LatestBranches& latest, const LatestBranches::State& state, const SampleData& data) {
+  while (!latest.is_current() || latest.state() != state) latest.follow(state, [&] { return data; });
 }
 
 }  // namespace
@@ -182,27 +182,27 @@ TEST_CASE("the branch at a place is the one whose line is nearest there") {
   CHECK(branch_near(table, {100, 100}, 1.0) == table.branches.size());
 }
 
-TEST_CASE("the desk has the table of the state asked for last, and keeps what is chosen where it is still there") {
-  BranchDesk desk(builtins(), {});
+TEST_CASE("the table is that of the state asked for last, and keeps what is chosen where it is still there") {
+  LatestBranches latest(builtins(), {});
   const SampleData data = rectangle();
   ComputationSettings settings;
   settings[Parameter::lambda_limit] = 0.3;
-  const BranchDesk::State first{1, settings, BranchAxis::lambda};
-  CHECK_FALSE(desk.is_current());
-  CHECK_FALSE(desk.pick({0, 0}, 1.0));
-  wait_for(desk, first, data);
-  REQUIRE(desk.table() != nullptr);
-  desk.choose(0);
-  const AxisBranch longest = desk.table()->branches[0];
-  desk.follow({1, settings, BranchAxis::angle}, [&] { return data; });
-  CHECK_FALSE(desk.is_current());
-  wait_for(desk, {2, settings, BranchAxis::lambda}, data);
-  REQUIRE(desk.chosen());
-  CHECK(desk.table()->branches[*desk.chosen()].from.place == longest.from.place);
-  CHECK(desk.pick({1000, 1000}, 1.0));
-  CHECK_FALSE(desk.chosen());
-  CHECK(desk.pick(desk.table()->lines[1].front(), 1e-9));
-  CHECK(desk.chosen());
+  const LatestBranches::State first{1, settings, BranchAxis::lambda};
+  CHECK_FALSE(latest.is_current());
+  CHECK_FALSE(latest.pick({0, 0}, 1.0));
+  wait_for(latest, first, data);
+  REQUIRE(latest.table() != nullptr);
+  latest.choose(0);
+  const AxisBranch longest = latest.table()->branches[0];
+  latest.follow({1, settings, BranchAxis::angle}, [&] { return data; });
+  CHECK_FALSE(latest.is_current());
+  wait_for(latest, {2, settings, BranchAxis::lambda}, data);
+  REQUIRE(latest.chosen());
+  CHECK(latest.table()->branches[*latest.chosen()].from.place == longest.from.place);
+  CHECK(latest.pick({1000, 1000}, 1.0));
+  CHECK_FALSE(latest.chosen());
+  CHECK(latest.pick(latest.table()->lines[1].front(), 1e-9));
+  CHECK(latest.chosen());
 }
 
 TEST_CASE("a repaired and a decimated sampling are one step of undo each, and edits meanwhile are not overwritten") {
@@ -215,21 +215,21 @@ TEST_CASE("a repaired and a decimated sampling are one step of undo each, and ed
     loop.points.push_back(i);
   }
   REQUIRE(editor.load(data));
-  ResampleDesk desk(builtins(), editor, {});
-  const auto run = [&](ResampleDesk::Wish wish) {
-    desk.begin(wish);
-    std::optional<ResampleDesk::Report> out;
-    while (!out) out = desk.follow();
+  ResampleJob job(builtins(), editor, {});
+  const auto run = [&](ResampleJob::Wish wish) {
+    job.begin(wish);
+    std::optional<ResampleJob::Report> out;
+    while (!out) out = job.follow();
     return *out;
   };
-  const ResampleDesk::Report repaired = run(ResampleDesk::Wish::repair);
+  const ResampleJob::Report repaired = run(ResampleJob::Wish::repair);
   CHECK_FALSE(repaired.is_problem);
   CHECK(editor.undo_name() == "Repair the sampling");
   const std::size_t dense = editor.document().sample_count();
   CHECK(dense > 16);
   CHECK(data_of(editor.document()).contours.front().points.size() == dense);
-  desk.epsilon = 0.4;
-  CHECK_FALSE(run(ResampleDesk::Wish::decimate).is_problem);
+  job.epsilon = 0.4;
+  CHECK_FALSE(run(ResampleJob::Wish::decimate).is_problem);
   CHECK(editor.document().sample_count() < dense);
   editor.undo();
   CHECK(editor.document().sample_count() == dense);
@@ -238,11 +238,11 @@ TEST_CASE("a repaired and a decimated sampling are one step of undo each, and ed
   CHECK(data_of(editor.document()).contours == data.contours);
   CHECK_FALSE(editor.can_undo());
 
-  desk.epsilon = 0.25;
-  desk.begin(ResampleDesk::Wish::repair);
+  job.epsilon = 0.25;
+  job.begin(ResampleJob::Wish::repair);
   REQUIRE(editor.insert(std::vector<Vec2>{{0.0, 0.0}}, "Insert"));
-  std::optional<ResampleDesk::Report> late;
-  while (!late) late = desk.follow();
+  std::optional<ResampleJob::Report> late;
+  while (!late) late = job.follow();
   CHECK(late->is_problem);
   CHECK(editor.document().sample_count() == 17);
 }

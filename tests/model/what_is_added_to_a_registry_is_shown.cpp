@@ -24,7 +24,7 @@
 #include "app/store/file_conflict.h"
 #include "app/store/file_desk.h"
 #include "app/store/lessons.h"
-#include "app/store/trace_desk.h"
+#include "app/store/trace_job.h"
 #include "core/builtins/builtins.h"
 #include "core/graph/live_registry.h"
 #include "core/io/format_spec.h"
@@ -229,7 +229,7 @@ TEST_CASE("files and pasted text are read by the formats of the present registry
   FileDesk files(
       registry, editor, [] { return Session(); }, bell.ring());
   SelectionCommands commands(registry, editor);
-  TraceDesk tracing(registry, bell.ring());
+  TraceJob tracing(registry, bell.ring());
   const auto opened = [&] {
     files.open(file);
     std::optional<FileDesk::Outcome> outcome;
@@ -239,7 +239,7 @@ TEST_CASE("files and pasted text are read by the formats of the present registry
   const auto traced = [&] {
     tracing.begin(file);
     tracing.trace({});
-    std::optional<Expected<TraceDesk::Samples>> samples;
+    std::optional<Expected<TraceJob::Samples>> samples;
     bell.wait_until([&] { return (samples = tracing.poll_samples()).has_value(); });
     return *samples && (*samples)->data.positions == kCorner.positions;
   };

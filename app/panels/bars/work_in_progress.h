@@ -22,7 +22,7 @@ struct WorkInProgress {
   RecordDesk& record;
   LessonExport& lesson;
   const UpdateHold& hold;
-  SweepDesk& sweep;
+  SweepJob& sweep;
   const ExperimentDesk& experiments;
 
   /// Draws a red dot and the number of frames during a recording.

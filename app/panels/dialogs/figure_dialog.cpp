@@ -156,7 +156,7 @@ void FigureDialog::draw_size(const Gui& gui) const {
   ImGui::SameLine();
   ImGui::TextUnformatted("x");
   ImGui::SameLine();
-  const FigurePreview* const preview = uses_->desk.preview();
+  const FigurePreview* const preview = uses_->latest.preview();
   bool follows = settings.height_mm <= 0.0;
   double height = settings.height_mm;
   if (follows && preview != nullptr) height = preview->height * figure::kMillimetersPerInch / figure::kPointsPerInch;
@@ -177,7 +177,7 @@ void FigureDialog::draw_size(const Gui& gui) const {
 
 // Draws nothing if the window shows only one pane.
 void FigureDialog::draw_panes(const Gui& gui) const {
-  if (!uses_->desk.has_panes()) return;
+  if (!uses_->latest.has_panes()) return;
   FigureSettings& settings = uses_->settings;
   row_title(gui, "Panes");
   if (choice_button("All", settings.all_panes)) settings.all_panes = true;
@@ -225,7 +225,7 @@ void FigureDialog::draw_look(const Gui& gui) const {
   draw_panes(gui);
   row_title(gui, "Show");
   // Panes have one size, so none can be cut to its drawing.
-  const bool is_sheet = uses_->desk.has_panes() && settings.all_panes;
+  const bool is_sheet = uses_->latest.has_panes() && settings.all_panes;
   FigureExtent extent = is_sheet && settings.extent == FigureExtent::ink ? FigureExtent::view : settings.extent;
   const FigureExtent before = extent;
   choice<FigureExtent>(gui, std::span(kExtents).first(is_sheet ? 2 : kExtents.size()), extent);
@@ -290,7 +290,7 @@ void FigureDialog::draw_layers(const Gui& gui) {
   const float unit = gui.unit();
   FigureSettings& settings = uses_->settings;
   const figure::Format* const format = figure::format_for(settings.extension);
-  const FigurePreview* const preview = uses_->desk.preview();
+  const FigurePreview* const preview = uses_->latest.preview();
   if (preview == nullptr || format == nullptr || !format->has_images) return;
   ImGui::Dummy({1, 4 * unit});
   ImGui::AlignTextToFramePadding();
@@ -323,10 +323,10 @@ void FigureDialog::draw_layers(const Gui& gui) {
 }
 
 void FigureDialog::draw_facts(const Gui& gui) {
-  const FigureDesk& desk = uses_->desk;
-  const FigurePreview* const preview = desk.preview();
-  if (desk.problem()) {
-    warning(gui, desk.problem()->message());
+  const LatestFigure& latest = uses_->latest;
+  const FigurePreview* const preview = latest.preview();
+  if (latest.problem()) {
+    warning(gui, latest.problem()->message());
     return;
   }
   if (preview == nullptr) {
@@ -339,8 +339,8 @@ void FigureDialog::draw_facts(const Gui& gui) {
     const std::string widest = fmt::format("{:.2f}", preview->widest);
     text += ", lines of " + (finest == widest ? widest : finest + " to " + widest) + " pt";
   }
-  const std::string* const bytes = desk.bytes();
-  text += bytes != nullptr ? ", " + size_text(bytes->size()) : desk.is_drawing() ? ", drawing..." : ", writing...";
+  const std::string* const bytes = latest.bytes();
+  text += bytes != nullptr ? ", " + size_text(bytes->size()) : latest.is_drawing() ? ", drawing..." : ", writing...";
   ImGui::TextUnformatted(text.c_str());
   for (const std::string& remark : preview->remarks) warning(gui, remark);
   if (const std::string memory = tex_warning(preview->shapes, uses_->settings.extension); !memory.empty())
@@ -355,10 +355,10 @@ void FigureDialog::draw_facts(const Gui& gui) {
 }
 
 void FigureDialog::draw_buttons(const Gui& gui) {
-  const FigureDesk& desk = uses_->desk;
+  const LatestFigure& latest = uses_->latest;
   const float spacing = ImGui::GetStyle().ItemSpacing.x;
   const ImVec2 size(std::min(104 * gui.unit(), (ImGui::GetContentRegionAvail().x - 2 * spacing) / 3), 0);
-  const bool is_possible = desk.preview() != nullptr && !desk.problem() && !desk.is_saving();
+  const bool is_possible = latest.preview() != nullptr && !latest.problem() && !latest.is_saving();
   ImGui::BeginDisabled(!is_possible);
   const bool is_clicked = default_button(gui, "Export...", size, true);
   if ((is_clicked || is_accepted_) && is_possible) uses_->ask_file();
@@ -367,8 +367,8 @@ void FigureDialog::draw_buttons(const Gui& gui) {
   ImGui::SameLine();
   const bool is_text = uses_->settings.extension == ".svg" || uses_->settings.extension == ".tex" ||
                        uses_->settings.extension == ".ipe";
-  ImGui::BeginDisabled(!is_text || desk.bytes() == nullptr);
-  if (ImGui::Button("Copy", size)) ImGui::SetClipboardText(desk.bytes()->c_str());
+  ImGui::BeginDisabled(!is_text || latest.bytes() == nullptr);
+  if (ImGui::Button("Copy", size)) ImGui::SetClipboardText(latest.bytes()->c_str());
   ImGui::EndDisabled();
   tooltip(gui, "Copy the text of the file (SVG, Ipe or TikZ) to the clipboard");
   ImGui::SameLine();
@@ -381,7 +381,7 @@ void FigureDialog::draw_preview(const Gui& gui) const {
   const ImVec2 room = ImGui::GetContentRegionAvail();
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled(at, {at.x + room.x, at.y + room.y}, gui.colors().field, 4 * unit);
-  const FigurePreview* const preview = uses_->desk.preview();
+  const FigurePreview* const preview = uses_->latest.preview();
   const ImTextureID texture = uses_->texture();
   if (preview == nullptr || texture == nullptr) return;
   const float margin = 18 * unit;
@@ -428,7 +428,7 @@ void FigureDialog::draw(const Gui& gui) {
                  ImGui::EndGroup();
                  const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
                  const float longest = std::max((size.x - settings_width) * scale.x, size.y * scale.y);
-                 uses_->desk.want(uses_->settings, rasterized_, static_cast<int>(longest));
+                 uses_->latest.want(uses_->settings, rasterized_, static_cast<int>(longest));
                });
 }
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/export/figure_desk.h"
+#include "app/export/latest_figure.h"
 #include "app/ui/dialog.h"
 
 namespace mes {
@@ -16,7 +16,7 @@ class FigureDialog final : public Dialog {
  public:
   /// All members must outlive the dialog.
   struct Uses {
-    FigureDesk& desk;
+    LatestFigure& latest;
     FigureSettings& settings;
     std::function<void()> ask_file;          ///< asks for the file of the figure
     std::function<ImTextureID()> texture{};  ///< texture of the preview; null while there is none

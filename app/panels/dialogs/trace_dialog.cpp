@@ -86,9 +86,9 @@ void TraceDialog::press(const KeyChord& chord) {
 }
 
 void TraceDialog::begin_choices() {
-  const TracePreview* const preview = uses_->desk.preview();
-  if (preview == nullptr || chosen_for_ == uses_->desk.preview_number()) return;
-  chosen_for_ = uses_->desk.preview_number();
+  const TracePreview* const preview = uses_->job.preview();
+  if (preview == nullptr || chosen_for_ == uses_->job.preview_number()) return;
+  chosen_for_ = uses_->job.preview_number();
   threshold_ = preview->level.value_or(Level{}).below;
   specks_ = preview->specks;
   side_ = FigureSide::found;
@@ -118,13 +118,13 @@ void TraceDialog::draw_choices(const Gui& gui) {
 }
 
 void TraceDialog::draw_facts(const Gui& gui) {
-  if (uses_->desk.preview() == nullptr) {
+  if (uses_->job.preview() == nullptr) {
     ImGui::TextDisabled("Reading the picture...");
     return;
   }
-  const Expected<Tracing>& outlines = uses_->desk.outlines(request());
+  const Expected<Tracing>& outlines = uses_->job.outlines(request());
   if (outlines) {
-    if (const auto counts = uses_->desk.counts(request())) {
+    if (const auto counts = uses_->job.counts(request())) {
       paragraph(count_with_noun(counts->outlines, "outline"));
       if (const std::string left_out = left_out_text(*counts); !left_out.empty())
         quiet_paragraph("Left out: " + left_out);
@@ -140,8 +140,8 @@ void TraceDialog::draw_facts(const Gui& gui) {
 
 void TraceDialog::draw_buttons(const Gui& gui) {
   const ImVec2 size(ImGui::GetContentRegionAvail().x, 0);
-  const bool is_read = uses_->desk.preview() != nullptr && !uses_->desk.is_tracing();
-  const bool is_possible = is_read && uses_->desk.outlines(request()).has_value();
+  const bool is_read = uses_->job.preview() != nullptr && !uses_->job.is_tracing();
+  const bool is_possible = is_read && uses_->job.outlines(request()).has_value();
   ImGui::BeginDisabled(!is_possible);
   const bool is_clicked = default_button(gui, "Trace into samples", size, true);
   ImGui::EndDisabled();
@@ -159,7 +159,7 @@ void TraceDialog::draw_preview(const Gui& gui) {
   const ImVec2 room = ImGui::GetContentRegionAvail();
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled(at, {at.x + room.x, at.y + room.y}, gui.colors().field, 4 * unit);
-  const TracePreview* const preview = uses_->desk.preview();
+  const TracePreview* const preview = uses_->job.preview();
   const ImTextureID texture = uses_->texture();
   if (preview == nullptr || texture == nullptr) return;
   const float margin = 12 * unit;
@@ -170,7 +170,7 @@ void TraceDialog::draw_preview(const Gui& gui) {
   list.AddImage(texture, place.at, end);
   list.AddRect({place.at.x - 1, place.at.y - 1}, {end.x + 1, end.y + 1}, gui.colors().border);
   constexpr ImU32 kOutline = IM_COL32(230, 60, 20, 255);
-  if (const auto& outlines = uses_->desk.outlines(request()); outlines)
+  if (const auto& outlines = uses_->job.outlines(request()); outlines)
     draw_outlines(outlines->curves, place, preview->image.height, kOutline, 2 * unit);
 }
 
@@ -180,7 +180,7 @@ void TraceDialog::draw(const Gui& gui) {
     begin_choices();
     ImGui::BeginChild("settings", {std::min(kChoices * unit, 0.5F * size.x), 0});
     ImGui::PushFont(gui.bold());
-    ImGui::TextUnformatted(elided(uses_->desk.file().filename().string(), ImGui::GetContentRegionAvail().x).c_str());
+    ImGui::TextUnformatted(elided(uses_->job.file().filename().string(), ImGui::GetContentRegionAvail().x).c_str());
     ImGui::PopFont();
     ImGui::Dummy({1, 2 * unit});
     ImGui::BeginChild("choices", {0, -3 * ImGui::GetFrameHeightWithSpacing()});

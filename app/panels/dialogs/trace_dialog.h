@@ -5,7 +5,7 @@
 #include <functional>
 #include <optional>
 
-#include "app/store/trace_desk.h"
+#include "app/store/trace_job.h"
 #include "app/ui/dialog.h"
 
 namespace mes {
@@ -15,7 +15,7 @@ class TraceDialog final : public Dialog {
  public:
   /// All members must outlive the dialog.
   struct Uses {
-    TraceDesk& desk;
+    TraceJob& job;
     std::function<ImTextureID()> texture;            ///< texture of the picture; null while there is none
     std::function<void(const TraceRequest&)> trace;  ///< traces the picture into samples
     std::function<void()> lay_underneath;

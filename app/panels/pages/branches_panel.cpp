@@ -53,26 +53,27 @@ std::string cell_text(const AxisBranch& branch, std::size_t row, BranchColumn co
 }  // namespace
 
 void BranchesPanel::refresh_rows() {
-  rows_of_ = uses_.desk.table();
+  rows_of_ = uses_.latest.table();
   rows_ =
       rows_of_ != nullptr ? mes::rows_of(*rows_of_, filter_, sorted_by_, is_descending_) : std::vector<std::size_t>{};
 }
 
 bool BranchesPanel::draw_head() {
   const Document& document = uses_.editor.document();
-  const bool is_new = uses_.desk.follow({document.revision(), uses_.computation.settings(), axis_, measures_area_},
-                                        [&document] { return data_of(document); });
-  if (is_new || rows_of_ != uses_.desk.table()) {
+  const bool is_new = uses_.latest.follow({document.revision(), uses_.computation.settings(), axis_, measures_area_},
+                                          [&document] { return data_of(document); });
+  if (is_new || rows_of_ != uses_.latest.table()) {
     histogram_table_ = nullptr;
     refresh_rows();
   }
   draw_choices();
-  if (uses_.desk.table() == nullptr) {
-    ImGui::TextDisabled("%s", uses_.desk.problem().empty() ? "Computing the branches" : uses_.desk.problem().c_str());
+  if (uses_.latest.table() == nullptr) {
+    ImGui::TextDisabled("%s",
+                        uses_.latest.problem().empty() ? "Computing the branches" : uses_.latest.problem().c_str());
     return false;
   }
-  if (!uses_.desk.problem().empty()) {
-    paragraph(uses_.desk.problem());
+  if (!uses_.latest.problem().empty()) {
+    paragraph(uses_.latest.problem());
     return false;
   }
   return true;
@@ -88,9 +89,9 @@ void BranchesPanel::draw() {
     draw_table();
   }
   ImGui::EndChild();
-  if (!uses_.desk.is_current()) return;
-  if (const auto chosen = uses_.desk.chosen()) draw_branch(*chosen, true);
-  if (pointed_at_ && pointed_at_ != uses_.desk.chosen()) draw_branch(*pointed_at_, false);
+  if (!uses_.latest.is_current()) return;
+  if (const auto chosen = uses_.latest.chosen()) draw_branch(*chosen, true);
+  if (pointed_at_ && pointed_at_ != uses_.latest.chosen()) draw_branch(*pointed_at_, false);
 }
 
 void BranchesPanel::draw_choices() {
@@ -118,8 +119,8 @@ void BranchesPanel::draw_choices() {
                 "with <, <=, >, >= and a number; leaf, junction, cut or none for the kind of an end"
               : filter_problem_);
   ImGui::SameLine(0, 4 * unit);
-  ImGui::BeginDisabled(!uses_.desk.is_current() || !uses_.export_csv);
-  if (ImGui::Button(export_label)) uses_.export_csv(branches_as_csv(uses_.desk.table()->branches));
+  ImGui::BeginDisabled(!uses_.latest.is_current() || !uses_.export_csv);
+  if (ImGui::Button(export_label)) uses_.export_csv(branches_as_csv(uses_.latest.table()->branches));
   ImGui::EndDisabled();
   tooltip(uses_.gui, "Write all branches to a file as CSV, as mesecina branches does");
   if (!filter_problem_.empty()) {
@@ -155,7 +156,7 @@ void BranchesPanel::draw_diagram(float height, bool is_large) {
 
 void BranchesPanel::draw_widths(float height, bool is_large) {
   const float unit = uses_.gui.unit();
-  const BranchTable& table = *uses_.desk.table();
+  const BranchTable& table = *uses_.latest.table();
   if (table.stations.empty()) {
     paragraph("There is no centre line: the pruned axis of every shape is a point");
     return;
@@ -191,7 +192,7 @@ void BranchesPanel::draw_widths(float height, bool is_large) {
   const bool fits = x + 4 * unit + width <= plot.inside().at.x + plot.inside().size.x;
   list.AddText({fits ? x + 4 * unit : x - 4 * unit - width, plot.inside().at.y}, Plot::kInk, words.c_str());
   if (ImGui::IsItemHovered() || ImGui::IsItemActive()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
-  if (uses_.desk.is_current()) draw_transect(here);
+  if (uses_.latest.is_current()) draw_transect(here);
 }
 
 void BranchesPanel::draw_transect(const Station& at) const {
@@ -205,7 +206,7 @@ void BranchesPanel::draw_transect(const Station& at) const {
 // Bar heights show lengths of the axis. The limit of lambda is a line that can be dragged.
 void BranchesPanel::draw_histogram(float height, bool is_large) {
   const float unit = uses_.gui.unit();
-  const BranchTable& table = *uses_.desk.table();
+  const BranchTable& table = *uses_.latest.table();
   const bool shows_lambda = diagram_ == Diagram::lambda;
   if (histogram_table_ != &table || histogram_is_of_lambda_ != shows_lambda) {
     histogram_table_ = &table;
@@ -262,8 +263,8 @@ void BranchesPanel::draw_large() {
 }
 
 void BranchesPanel::draw_table() {
-  const BranchTable& table = *uses_.desk.table();
-  const bool is_current = uses_.desk.is_current();
+  const BranchTable& table = *uses_.latest.table();
+  const bool is_current = uses_.latest.is_current();
   if (table.branches.empty()) {
     quiet_paragraph("No branch: " + table.reason);
     return;
@@ -300,7 +301,7 @@ void BranchesPanel::draw_table() {
       refresh_rows();
     }
     // Scrolls to a branch that was chosen on the canvas.
-    const auto chosen = uses_.desk.chosen();
+    const auto chosen = uses_.latest.chosen();
     if (chosen != shown_chosen_) {
       shown_chosen_ = chosen;
       const auto at = chosen ? std::ranges::find(rows_, *chosen) : rows_.end();
@@ -319,7 +320,7 @@ void BranchesPanel::draw_table() {
 }
 
 void BranchesPanel::draw_row(std::size_t row) {
-  const BranchTable& table = *uses_.desk.table();
+  const BranchTable& table = *uses_.latest.table();
   const AxisBranch& branch = table.branches[row];
   ImGui::TableNextRow();
   for (std::size_t i = 0; i < kColumns.size(); ++i) {
@@ -329,7 +330,7 @@ void BranchesPanel::draw_row(std::size_t row) {
       ImGui::TextUnformatted(text.c_str());
       continue;
     }
-    const bool is_chosen = uses_.desk.chosen() == row;
+    const bool is_chosen = uses_.latest.chosen() == row;
     // Keeps the look of the chosen row even under the pointer.
     if (is_chosen) ImGui::PushStyleColor(ImGuiCol_HeaderHovered, uses_.gui.colors().accent_soft);
     const bool is_clicked = ImGui::Selectable(
@@ -337,8 +338,8 @@ void BranchesPanel::draw_row(std::size_t row) {
     if (is_chosen) ImGui::PopStyleColor();
     if (is_clicked) {
       const bool is_double = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
-      uses_.desk.choose(is_chosen && !is_double ? std::nullopt : std::optional(row));
-      shown_chosen_ = uses_.desk.chosen();
+      uses_.latest.choose(is_chosen && !is_double ? std::nullopt : std::optional(row));
+      shown_chosen_ = uses_.latest.chosen();
       if (is_double) {
         constexpr double kMarginPx = 120.0;
         Box2 box;
@@ -352,7 +353,7 @@ void BranchesPanel::draw_row(std::size_t row) {
 
 void BranchesPanel::draw_branch(std::size_t row, bool is_chosen) const {
   const float unit = uses_.gui.unit();
-  const std::vector<Vec2>& line = uses_.desk.table()->lines[row];
+  const std::vector<Vec2>& line = uses_.latest.table()->lines[row];
   const ShapePen pen(
       uses_.gui, {uses_.canvas.view().camera()}, uses_.canvas.content_scale(),
       {to_imgui(palette::blue, is_chosen ? 1.0 : 0.55), (is_chosen ? 5.0F : 4.0F) * unit, PenMark::ring});

@@ -9,8 +9,8 @@
 
 #include "app/canvas/canvas.h"
 #include "app/editing/editor.h"
-#include "app/insight/branch_desk.h"
 #include "app/insight/computation_control.h"
+#include "app/insight/latest_branches.h"
 #include "app/ui/gui.h"
 
 namespace mes {
@@ -21,7 +21,7 @@ class BranchesPanel {
  public:
   struct Uses {
     const Gui& gui;
-    BranchDesk& desk;
+    LatestBranches& latest;
     Canvas& canvas;
     const Editor& editor;
     ComputationControl& computation;

@@ -8,8 +8,8 @@
 #include "app/editing/editor.h"
 #include "app/insight/computation_control.h"
 #include "app/insight/critical_values.h"
+#include "app/insight/latest_persistence.h"
 #include "app/insight/parameter_sweep.h"
-#include "app/insight/persistence_desk.h"
 #include "app/insight/scale_events.h"
 #include "app/layers/layer_stack.h"
 #include "app/picture/picture.h"
@@ -22,7 +22,7 @@ class ParametersPanel {
  public:
   ParametersPanel(const Gui& gui, ComputationControl& computation, const Picture& picture, const Editor& editor,
                   const LayerStack& layers, ScaleEvents& events, CriticalValues& critical,
-                  PersistenceDesk& persistence, SweepDesk& sweep, Messages& messages)
+                  LatestPersistence& persistence, SweepJob& sweep, Messages& messages)
       : gui_(gui),
         computation_(computation),
         picture_(picture),
@@ -64,8 +64,8 @@ class ParametersPanel {
   const LayerStack& layers_;
   ScaleEvents& scale_events_;
   CriticalValues& critical_values_;
-  PersistenceDesk& persistence_;
-  SweepDesk& sweep_;
+  LatestPersistence& persistence_;
+  SweepJob& sweep_;
   Messages& messages_;
   std::string search_;
 };

@@ -49,42 +49,43 @@ void PersistencePanel::draw_large() {
 void PersistencePanel::draw_in(View& view) {
   const Document& document = uses_.editor.document();
   draw_growths();
-  uses_.desk.follow(document, uses_.computation.settings());
+  uses_.latest.follow(document, uses_.computation.settings());
   draw_choices();
-  const PersistenceTable* const table = uses_.desk.table();
-  if (table == nullptr || (!uses_.desk.is_current() && !uses_.desk.problem().empty())) {
-    quiet_paragraph(uses_.desk.problem().empty() ? "Computing births and deaths" : uses_.desk.problem());
+  const PersistenceTable* const table = uses_.latest.table();
+  if (table == nullptr || (!uses_.latest.is_current() && !uses_.latest.problem().empty())) {
+    quiet_paragraph(uses_.latest.problem().empty() ? "Computing births and deaths" : uses_.latest.problem());
     return;
   }
   if (table->rows.empty()) {
     ImGui::TextDisabled("%s",
-                        uses_.desk.growth() == GrowthOf::samples ? "There are no samples" : "There are no balls");
+                        uses_.latest.growth() == GrowthOf::samples ? "There are no samples" : "There are no balls");
     return;
   }
   pointed_at_.reset();
   draw_words();
   draw_diagram(view);
   draw_chosen();
-  if (!uses_.desk.is_current()) return;
-  if (const auto chosen = uses_.desk.chosen()) draw_places(*chosen, true);
-  if (pointed_at_ && pointed_at_ != uses_.desk.chosen()) draw_places(*pointed_at_, false);
+  if (!uses_.latest.is_current()) return;
+  if (const auto chosen = uses_.latest.chosen()) draw_places(*chosen, true);
+  if (pointed_at_ && pointed_at_ != uses_.latest.chosen()) draw_places(*pointed_at_, false);
 }
 
 void PersistencePanel::draw_growths() {
   const Document& document = uses_.editor.document();
   // Without samples only own balls can grow.
   const bool has_only_balls = document.sample_count() == 0 && document.ball_count() != 0;
-  if (has_only_balls != had_only_balls_) uses_.desk.choose_growth(has_only_balls ? GrowthOf::own : GrowthOf::samples);
+  if (has_only_balls != had_only_balls_)
+    uses_.latest.choose_growth(has_only_balls ? GrowthOf::own : GrowthOf::samples);
   had_only_balls_ = has_only_balls;
-  const GrowthOf now = uses_.desk.growth();
+  const GrowthOf now = uses_.latest.growth();
   const float gap = 8 * uses_.gui.unit();
   const float button = ImGui::CalcTextSize(kPropose).x + 2 * ImGui::GetStyle().FramePadding.x;
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - button - gap);
   if (ImGui::BeginCombo("##growth", std::string(title_of(now)).c_str())) {
     for (const GrowthOf of : kGrowths)
       if (ImGui::Selectable(std::string(title_of(of)).c_str(), of == now)) {
-        uses_.desk.choose(std::nullopt);
-        uses_.desk.choose_growth(of);
+        uses_.latest.choose(std::nullopt);
+        uses_.latest.choose_growth(of);
       }
     ImGui::EndCombo();
   }
@@ -104,18 +105,18 @@ void PersistencePanel::draw_choices() {
   checkbox("Holes", &shows_holes_);
   tooltip(uses_.gui, "Show holes, which an edge closes and a triangle fills");
   ImGui::SameLine(0, 8 * unit);
-  ImGui::BeginDisabled(!uses_.desk.is_current() || !uses_.export_csv);
-  if (ImGui::Button("Export...")) uses_.export_csv(persistence_as_csv(*uses_.desk.table()));
+  ImGui::BeginDisabled(!uses_.latest.is_current() || !uses_.export_csv);
+  if (ImGui::Button("Export...")) uses_.export_csv(persistence_as_csv(*uses_.latest.table()));
   ImGui::EndDisabled();
   tooltip(uses_.gui, "Write all births and deaths to a file as CSV, as mesecina persistence does");
 }
 
 void PersistencePanel::draw_proposal() {
-  if (gap_of_ != uses_.desk.shared_table()) {
-    gap_of_ = uses_.desk.shared_table();
+  if (gap_of_ != uses_.latest.shared_table()) {
+    gap_of_ = uses_.latest.shared_table();
     gap_ = gap_of_ ? widest_gap(*gap_of_) : std::nullopt;
   }
-  const bool is_known = uses_.desk.is_current() && gap_;
+  const bool is_known = uses_.latest.is_current() && gap_;
   ImGui::BeginDisabled(!is_known);
   if (ImGui::Button(kPropose)) {
     ComputationSettings settings = uses_.computation.settings();
@@ -129,10 +130,10 @@ void PersistencePanel::draw_proposal() {
 }
 
 void PersistencePanel::draw_words() {
-  const PersistenceTable& table = *uses_.desk.table();
+  const PersistenceTable& table = *uses_.latest.table();
   const double radius = uses_.computation.settings()[Parameter::alpha_radius];
-  if (alive_.table != uses_.desk.shared_table() || alive_.radius != radius) {
-    alive_ = {uses_.desk.shared_table(), radius, 0, 0};
+  if (alive_.table != uses_.latest.shared_table() || alive_.radius != radius) {
+    alive_ = {uses_.latest.shared_table(), radius, 0, 0};
     const std::uint32_t ranks = table.ranks_within(radius);
     for (const PersistenceRow& row : table.rows)
       if (row.is_alive(ranks)) ++(row.is_hole ? alive_.holes : alive_.components);
@@ -141,13 +142,13 @@ void PersistencePanel::draw_words() {
   const std::size_t holes = alive_.holes;
   quiet_paragraph(fmt::format("Radius {:.4g}: {} {}, {} {}{}", radius, components,
                               components == 1 ? "component" : "components", holes, holes == 1 ? "hole" : "holes",
-                              uses_.desk.is_current() ? "" : "; computing"));
+                              uses_.latest.is_current() ? "" : "; computing"));
 }
 
 // Drawn below the diagram, which would otherwise move under the pointer when the text takes another line.
 void PersistencePanel::draw_chosen() {
-  const auto chosen = uses_.desk.chosen();
-  paragraph(chosen ? in_words(uses_.desk.table()->rows[*chosen]) : "Click on a point");
+  const auto chosen = uses_.latest.chosen();
+  paragraph(chosen ? in_words(uses_.latest.table()->rows[*chosen]) : "Click on a point");
 }
 
 void PersistencePanel::place_dots(View& view, const Scale& scale) {
@@ -189,7 +190,7 @@ void PersistencePanel::draw_key(const Plot& plot) const {
 
 void PersistencePanel::draw_diagram(View& view) {
   const float unit = uses_.gui.unit();
-  const PersistenceTable& table = *uses_.desk.table();
+  const PersistenceTable& table = *uses_.latest.table();
   const ImVec2 room = ImGui::GetContentRegionAvail();
   // Room for the text about the chosen pair below.
   const float below = kLinesOfWords * ImGui::GetTextLineHeightWithSpacing();
@@ -221,9 +222,9 @@ void PersistencePanel::draw_diagram(View& view) {
 
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   float nearest = kReach * unit;
-  place_dots(view, {uses_.desk.shared_table(), plot.inside().size.x, plot.inside().size.y, begin, end,
+  place_dots(view, {uses_.latest.shared_table(), plot.inside().size.x, plot.inside().size.y, begin, end,
                     shows_components_, shows_holes_});
-  const double opacity = uses_.desk.is_current() ? 0.9 : 0.4;
+  const double opacity = uses_.latest.is_current() ? 0.9 : 0.4;
   const float half = (view.is_large ? kLargeDot : kSmallDot) * unit;
   // Drawn in reverse, because the longest are first and must be on top.
   for (const Dot& dot : view.dots | std::views::reverse) {
@@ -240,15 +241,15 @@ void PersistencePanel::draw_diagram(View& view) {
     const PersistenceRow& row = table.rows[i];
     list.AddCircle({plot.x_of(row.birth), plot.y_of(row.death)}, half + 3.5F * unit, Plot::kInk, 0, width);
   };
-  if (const auto chosen = uses_.desk.chosen()) mark(*chosen, 2 * unit);
+  if (const auto chosen = uses_.latest.chosen()) mark(*chosen, 2 * unit);
   if (pointed_at_) mark(*pointed_at_, unit);
 
   if (is_pressed) {
     view.is_dragging = !pointed_at_;
     if (pointed_at_) {
-      uses_.desk.choose(uses_.desk.chosen() == pointed_at_ ? std::nullopt : pointed_at_);
+      uses_.latest.choose(uses_.latest.chosen() == pointed_at_ ? std::nullopt : pointed_at_);
       if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
-        uses_.desk.choose(pointed_at_);
+        uses_.latest.choose(pointed_at_);
         show(*pointed_at_);
       }
     }
@@ -272,21 +273,21 @@ void PersistencePanel::draw_diagram(View& view) {
 
 void PersistencePanel::show(std::size_t row) const {
   constexpr double kMarginPx = 120.0;
-  const PersistenceRow& one = uses_.desk.table()->rows[row];
+  const PersistenceRow& one = uses_.latest.table()->rows[row];
   Box2 box;
   box.add(one.place);
   if (one.has_edge)
     for (const Vec2 p : one.edge) box.add(p);
-  for (const auto& side : outline_of(*uses_.desk.table(), one)) box.add(side[0]);
+  for (const auto& side : outline_of(*uses_.latest.table(), one)) box.add(side[0]);
   uses_.canvas.view().fit(box, kMarginPx * uses_.canvas.content_scale());
 }
 
 void PersistencePanel::draw_places(std::size_t row, bool is_chosen) {
   const float unit = uses_.gui.unit();
-  const PersistenceTable& table = *uses_.desk.table();
+  const PersistenceTable& table = *uses_.latest.table();
   const PersistenceRow& one = table.rows[row];
-  if (outline_of_ != uses_.desk.shared_table() || outline_row_ != row) {
-    outline_of_ = uses_.desk.shared_table();
+  if (outline_of_ != uses_.latest.shared_table() || outline_row_ != row) {
+    outline_of_ = uses_.latest.shared_table();
     outline_row_ = row;
     outline_ = outline_of(table, one);
   }

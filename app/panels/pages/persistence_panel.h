@@ -14,7 +14,7 @@
 #include "app/canvas/canvas.h"
 #include "app/editing/editor.h"
 #include "app/insight/computation_control.h"
-#include "app/insight/persistence_desk.h"
+#include "app/insight/latest_persistence.h"
 #include "app/ui/plot.h"
 
 namespace mes {
@@ -26,7 +26,7 @@ class PersistencePanel {
  public:
   struct Uses {
     const Gui& gui;
-    PersistenceDesk& desk;
+    LatestPersistence& latest;
     Canvas& canvas;
     const Editor& editor;
     ComputationControl& computation;

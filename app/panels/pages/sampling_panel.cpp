@@ -36,11 +36,11 @@ void SamplingPanel::draw_wishes() {
   ImGui::TextUnformatted("epsilon");
   ImGui::SameLine(0, 4 * unit);
   ImGui::SetNextItemWidth(64 * unit);
-  if (double epsilon = uses_.desk.epsilon; number_field("##epsilon", epsilon, "%.4g")) {
+  if (double epsilon = uses_.job.epsilon; number_field("##epsilon", epsilon, "%.4g")) {
     constexpr double kLeast = 0.01;
     constexpr double kMost = 1.0;
-    uses_.desk.epsilon = std::clamp(epsilon, kLeast, kMost);
-    if (uses_.desk.epsilon != epsilon) uses_.messages.remark(beyond_words("epsilon", epsilon, kLeast, kMost));
+    uses_.job.epsilon = std::clamp(epsilon, kLeast, kMost);
+    if (uses_.job.epsilon != epsilon) uses_.messages.remark(beyond_words("epsilon", epsilon, kLeast, kMost));
   }
   tooltip(uses_.gui,
           "Target epsilon, 0.01 to 1: half the distance of neighbours on the curve is at most this part of their "
@@ -88,8 +88,8 @@ void SamplingPanel::draw_findings() {
 }
 
 void SamplingPanel::draw_report() {
-  const ResampleDesk::Report& report = uses_.desk.last();
-  if (uses_.desk.is_under_way()) ImGui::TextDisabled("Looking for samples to insert or to remove");
+  const ResampleJob::Report& report = uses_.job.last();
+  if (uses_.job.is_under_way()) ImGui::TextDisabled("Looking for samples to insert or to remove");
   if (report.sentences.empty()) return;
   ImGui::Separator();
   for (const std::string& sentence : report.sentences) wrapped(sentence);

@@ -6,7 +6,7 @@
 #include "app/actions/action_bindings.h"
 #include "app/actions/messages.h"
 #include "app/canvas/canvas.h"
-#include "app/editing/resample_desk.h"
+#include "app/editing/resample_job.h"
 #include "app/picture/picture.h"
 #include "app/ui/gui.h"
 
@@ -18,7 +18,7 @@ class SamplingPanel {
   struct Uses {
     const Gui& gui;
     const ActionBindings& actions;
-    ResampleDesk& desk;
+    ResampleJob& job;
     Canvas& canvas;
     const Document& document;
     const Engine& engine;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/insight/branch_desk.h"
+#include "app/insight/latest_branches.h"
 
 #include <algorithm>
 #include <memory>
@@ -7,7 +7,7 @@
 
 namespace mes {
 
-bool BranchDesk::follow(const State& wanted, const std::function<SampleData()>& data) {
+bool LatestBranches::follow(const State& wanted, const std::function<SampleData()>& data) {
   const std::shared_ptr<const BranchTable> before = latest_.result();
   const bool is_new = latest_.follow(wanted, [&] {
     return [registry = registry_.share(), state = wanted, samples = data()](JobControl& job) {
@@ -25,7 +25,7 @@ bool BranchDesk::follow(const State& wanted, const std::function<SampleData()>& 
   return is_new;
 }
 
-bool BranchDesk::pick(Vec2 place, double reach) {
+bool LatestBranches::pick(Vec2 place, double reach) {
   if (!is_current()) return false;
   const std::size_t row = branch_near(*table(), place, reach);
   chosen_ = row < table()->branches.size() ? std::optional(row) : std::nullopt;

@@ -8,9 +8,9 @@
 //  3. A pair stays chosen if the next table has one of the same dimension, position and edge.
 //
 // Smallest use, once a frame:
-//     desk.follow(digest_of(document, desk.growth(), settings), input);
-//     if (desk.table() != nullptr) draw(*desk.table());
-//     desk.end_frame();
+//     latest.follow(digest_of(document, latest.growth(), settings), input);
+//     if (latest.table() != nullptr) draw(*latest.table());
+//     latest.end_frame();
 //
 // Cost: triangulation and filtration from scratch, beside the window. Threads: the window's; `wake` is called from
 // the other.
@@ -29,9 +29,9 @@
 
 namespace mes {
 
-class PersistenceDesk {
+class LatestPersistence {
  public:
-  PersistenceDesk(LiveRegistry registry, Waker wake) : registry_(std::move(registry)), latest_(std::move(wake)) {}
+  LatestPersistence(LiveRegistry registry, Waker wake) : registry_(std::move(registry)), latest_(std::move(wake)) {}
 
   /// The disks or balls that grow. The panels choose them.
   GrowthOf growth() const { return growth_; }

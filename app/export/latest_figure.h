@@ -69,13 +69,13 @@ struct FigurePreview {
 ///  3. The file has exactly the bytes whose size was shown, and appears complete or not at all.
 ///
 /// Smallest use:
-///     desk.begin(subject);
-///     ... each frame: desk.want(settings, rasterized, 600); if (desk.follow()) show(desk.preview());
-///     desk.save(file);
+///     latest.begin(subject);
+///     ... each frame: latest.want(settings, rasterized, 600); if (latest.follow()) show(latest.preview());
+///     latest.save(file);
 /// Threads: the window's.
-class FigureDesk {
+class LatestFigure {
  public:
-  FigureDesk(LiveRegistry registry, Waker wake);
+  LatestFigure(LiveRegistry registry, Waker wake);
 
   void begin(FigureSubject subject);
   /// Gives up everything but a file that is being saved.

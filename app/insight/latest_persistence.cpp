@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/insight/persistence_desk.h"
+#include "app/insight/latest_persistence.h"
 
 #include <algorithm>
 #include <vector>
 
 namespace mes {
 
-void PersistenceDesk::follow(std::uint64_t digest, const std::function<PersistenceInput()>& input) {
+void LatestPersistence::follow(std::uint64_t digest, const std::function<PersistenceInput()>& input) {
   const std::shared_ptr<const PersistenceTable> before = latest_.result();
   latest_.follow(digest, [&] {
     return [registry = registry_.share(), wanted = input()](JobControl& job) {
@@ -23,7 +23,7 @@ void PersistenceDesk::follow(std::uint64_t digest, const std::function<Persisten
   chosen_ = same == now.end() ? std::nullopt : std::optional(static_cast<std::size_t>(same - now.begin()));
 }
 
-bool PersistenceDesk::pick(Vec2 place, double reach) {
+bool LatestPersistence::pick(Vec2 place, double reach) {
   if (!is_current()) return false;
   chosen_ = row_near(*table(), place, reach);
   return true;

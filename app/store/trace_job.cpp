@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/store/trace_desk.h"
+#include "app/store/trace_job.h"
 
 #include <algorithm>
 #include <new>
@@ -38,25 +38,25 @@ Expected<TracePreview> read_preview(const std::filesystem::path& file, const std
   return std::unexpected(Error{ErrorCode::out_of_memory, "there is not enough memory for it", file.string()});
 }
 
-Expected<TraceDesk::Samples> read_samples(const Registry& registry, const std::filesystem::path& file,
-                                          const TraceRequest& request, const std::stop_token& stop) {
+Expected<TraceJob::Samples> read_samples(const Registry& registry, const std::filesystem::path& file,
+                                         const TraceRequest& request, const std::stop_token& stop) {
   JobControl job(stop);
   auto loaded = read_sample_file(file, "picture", &job, {.trace = request, .formats = &registry.formats()});
   if (!loaded) return std::unexpected(std::move(loaded.error()));
-  TraceDesk::Samples out{.data = std::move(loaded->data)};
+  TraceJob::Samples out{.data = std::move(loaded->data)};
   for (const std::string& warning : loaded->warnings) out.remark += (out.remark.empty() ? "" : "; ") + warning;
   return out;
 }
 
 }  // namespace
 
-void TraceDesk::begin(const std::filesystem::path& file) {
+void TraceJob::begin(const std::filesystem::path& file) {
   end();
   file_ = file;
   reading_.begin([file](const std::stop_token& stop) { return read_preview(file, stop); });
 }
 
-void TraceDesk::end() {
+void TraceJob::end() {
   reading_.give_up();
   deciding_.give_up();
   tracing_.give_up();
@@ -66,7 +66,7 @@ void TraceDesk::end() {
   outlines_ = {};
 }
 
-std::optional<Expected<void>> TraceDesk::poll_picture() {
+std::optional<Expected<void>> TraceJob::poll_picture() {
   auto read = reading_.poll();
   if (!read) return std::nullopt;
   if (!*read) return std::unexpected(read->error());
@@ -76,12 +76,12 @@ std::optional<Expected<void>> TraceDesk::poll_picture() {
   return Expected<void>();
 }
 
-void TraceDesk::follow() {
+void TraceJob::follow() {
   if (auto decision = deciding_.poll()) decision_ = *std::move(decision);
 }
 
 // One at a time, so that dragging a slider does not restart the job at every step.
-void TraceDesk::decide(const TraceRequest& request) {
+void TraceJob::decide(const TraceRequest& request) {
   if (!preview_->whole || deciding_.is_under_way() || (decision_ && decision_->request == request)) return;
   deciding_.begin([whole = preview_->whole, request](const std::stop_token& stop) {
     const JobControl job(stop);
@@ -95,7 +95,7 @@ void TraceDesk::decide(const TraceRequest& request) {
   });
 }
 
-const Expected<Tracing>& TraceDesk::outlines(const TraceRequest& request) {
+const Expected<Tracing>& TraceJob::outlines(const TraceRequest& request) {
   if (!preview_) return outlines_;
   decide(request);
   TraceRequest reduced = request;
@@ -110,20 +110,20 @@ const Expected<Tracing>& TraceDesk::outlines(const TraceRequest& request) {
   return outlines_;
 }
 
-std::optional<TraceCounts> TraceDesk::counts(const TraceRequest& request) {
+std::optional<TraceCounts> TraceJob::counts(const TraceRequest& request) {
   const Expected<Tracing>& shown = outlines(request);
   if (!preview_ || !shown) return std::nullopt;
   if (!preview_->whole) return shown->counts;
   return decision_ && decision_->request == request ? std::optional(decision_->counts) : std::nullopt;
 }
 
-void TraceDesk::trace(const TraceRequest& request) {
+void TraceJob::trace(const TraceRequest& request) {
   tracing_.begin([registry = registry_.share(), file = file_, request](const std::stop_token& stop) {
     return read_samples(*registry, file, request, stop);
   });
 }
 
-std::optional<Expected<TraceDesk::Samples>> TraceDesk::poll_samples() {
+std::optional<Expected<TraceJob::Samples>> TraceJob::poll_samples() {
   return tracing_.poll();
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/export/figure_desk.h"
+#include "app/export/latest_figure.h"
 
 #include <algorithm>
 #include <new>
@@ -113,7 +113,7 @@ void note_lines(FigurePreview& preview, const figure::Figure& figure) {
 }  // namespace
 
 /// Everything from which a figure is made, whatever its settings.
-struct FigureDesk::Contents {
+struct LatestFigure::Contents {
   std::shared_ptr<const Registry> registry;  // the registry of these layers
   FigureSubject subject;
   LayerMirror mirror;
@@ -136,10 +136,10 @@ struct FigureDesk::Contents {
   }
 };
 
-FigureDesk::FigureDesk(LiveRegistry registry, Waker wake)
+LatestFigure::LatestFigure(LiveRegistry registry, Waker wake)
     : registry_(std::move(registry)), computing_(wake), drawing_(wake), writing_(wake), saving_(std::move(wake)) {}
 
-void FigureDesk::begin(FigureSubject subject) {
+void LatestFigure::begin(FigureSubject subject) {
   end();
   is_open_ = true;
   has_panes_ = !subject.panes.empty();
@@ -148,7 +148,7 @@ void FigureDesk::begin(FigureSubject subject) {
   });
 }
 
-void FigureDesk::end() {
+void LatestFigure::end() {
   computing_.give_up();
   drawing_.give_up();
   writing_.give_up();
@@ -161,9 +161,8 @@ void FigureDesk::end() {
   save_to_.reset();
 }
 
-Expected<std::shared_ptr<const FigureDesk::Contents>> FigureDesk::compute(std::shared_ptr<const Registry> registry,
-                                                                          const FigureSubject& subject,
-                                                                          const std::stop_token& stop) try {
+Expected<std::shared_ptr<const LatestFigure::Contents>> LatestFigure::compute(
+    std::shared_ptr<const Registry> registry, const FigureSubject& subject, const std::stop_token& stop) try {
   auto out = std::make_shared<Contents>();
   out->registry = registry;
   out->subject = subject;
@@ -204,7 +203,7 @@ Expected<std::shared_ptr<const FigureDesk::Contents>> FigureDesk::compute(std::s
   return no_memory();
 }
 
-Expected<DrawnFigure> FigureDesk::draw_figure_of(const Contents& contents, const Wanted& wanted) {
+Expected<DrawnFigure> LatestFigure::draw_figure_of(const Contents& contents, const Wanted& wanted) {
   const FigureSettings& settings = wanted.settings;
   const FigureRequest request = request_of(contents.subject, settings, wanted.rasterized);
   if (!shows_panes(contents.subject, settings)) return draw_figure(request, contents.source_of(0));
@@ -219,7 +218,7 @@ Expected<DrawnFigure> FigureDesk::draw_figure_of(const Contents& contents, const
   return draw_pane_figure(request, comparison, sources, cameras);
 }
 
-FigureDesk::Drawn FigureDesk::draw(const Contents& contents, const Wanted& wanted) try {
+LatestFigure::Drawn LatestFigure::draw(const Contents& contents, const Wanted& wanted) try {
   auto drawn = draw_figure_of(contents, wanted);
   if (!drawn) return {wanted, std::unexpected(drawn.error())};
   FigurePreview preview{.image = {},
@@ -253,7 +252,7 @@ FigureDesk::Drawn FigureDesk::draw(const Contents& contents, const Wanted& wante
   return {wanted, no_memory()};
 }
 
-void FigureDesk::want(const FigureSettings& settings, const std::vector<std::string>& rasterized, int preview_px) {
+void LatestFigure::want(const FigureSettings& settings, const std::vector<std::string>& rasterized, int preview_px) {
   Wanted wanted{settings, rasterized, std::max(preview_px, 16)};
   if (wanted == wanted_) return;
   wanted_ = std::move(wanted);
@@ -265,14 +264,14 @@ void FigureDesk::want(const FigureSettings& settings, const std::vector<std::str
   }
 }
 
-void FigureDesk::begin_drawing() {
+void LatestFigure::begin_drawing() {
   // One drawing at a time: dragging a slider would begin more of them than a machine can draw.
   if (!is_open_ || !contents_ || drawing_.is_under_way()) return;
   drawing_.begin(
       [contents = contents_, wanted = wanted_](const std::stop_token&) { return draw(*contents, wanted); });
 }
 
-void FigureDesk::begin_writing() {
+void LatestFigure::begin_writing() {
   const figure::Format* const format = figure::format_for(wanted_.settings.extension);
   if (format == nullptr) {
     fail({ErrorCode::usage, "figures have no format " + wanted_.settings.extension});
@@ -287,12 +286,12 @@ void FigureDesk::begin_writing() {
   });
 }
 
-void FigureDesk::fail(const Error& error) {
+void LatestFigure::fail(const Error& error) {
   problem_ = error;
   if (save_to_) saved_ = Saved{*std::exchange(save_to_, std::nullopt), std::unexpected(error)};
 }
 
-bool FigureDesk::take_contents() {
+bool LatestFigure::take_contents() {
   auto contents = computing_.poll();
   if (!contents) return false;
   if (*contents) {
@@ -304,7 +303,7 @@ bool FigureDesk::take_contents() {
   return true;
 }
 
-bool FigureDesk::take_drawn() {
+bool LatestFigure::take_drawn() {
   auto drawn = drawing_.poll();
   if (!drawn) return false;
   if (drawn->wanted == wanted_ && !drawn->figure) {
@@ -324,7 +323,7 @@ bool FigureDesk::take_drawn() {
   return true;
 }
 
-bool FigureDesk::take_written() {
+bool LatestFigure::take_written() {
   auto written = writing_.poll();
   if (!written) return false;
   if (!written->bytes) {
@@ -336,7 +335,7 @@ bool FigureDesk::take_written() {
   return true;
 }
 
-bool FigureDesk::follow() {
+bool LatestFigure::follow() {
   bool has_changed = take_contents();
   has_changed = take_drawn() || has_changed;
   has_changed = take_written() || has_changed;
@@ -347,7 +346,7 @@ bool FigureDesk::follow() {
   return has_changed || saved_;
 }
 
-void FigureDesk::save(const std::filesystem::path& file) {
+void LatestFigure::save(const std::filesystem::path& file) {
   save_to_ = file;
   if (problem_)
     fail(Error(*problem_));
@@ -355,7 +354,7 @@ void FigureDesk::save(const std::filesystem::path& file) {
     begin_saving();
 }
 
-void FigureDesk::begin_saving() {
+void LatestFigure::begin_saving() {
   saving_.begin([file = *std::exchange(save_to_, std::nullopt), bytes = bytes_](const std::stop_token&) -> Saved {
     return {file, write_file_atomically(file, *bytes)};
   });

@@ -6,7 +6,7 @@
 //  2. If the samples are edited meanwhile, they are left as they are, and the report says so.
 //
 // Smallest use, once a turn:
-//     if (auto report = desk.follow()) say(report->sentences);
+//     if (auto report = job.follow()) say(report->sentences);
 //
 // Threads: the window's; `wake` is called from the other.
 #pragma once
@@ -26,9 +26,9 @@
 
 namespace mes {
 
-class ResampleDesk {
+class ResampleJob {
  public:
-  ResampleDesk(LiveRegistry registry, Editor& editor, Waker wake)
+  ResampleJob(LiveRegistry registry, Editor& editor, Waker wake)
       : registry_(std::move(registry)), editor_(editor), job_(std::move(wake)) {}
 
   enum class Wish : std::uint8_t { repair, decimate };

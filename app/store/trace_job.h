@@ -33,15 +33,16 @@ struct TracePreview {
 /// picture has fewer specks.
 ///
 /// Smallest use:
-///     desk.begin("leaf.png");
-///     ... each frame: if (auto read = desk.poll_picture()) ...; if (desk.preview()) desk.follow(), show(desk.outlines(request));
-///     desk.trace(request);
-///     ... each frame: if (auto traced = desk.poll_samples()) ...
+///     job.begin("leaf.png");
+///     ... each frame: if (auto read = job.poll_picture()) ...;
+///                     if (job.preview()) job.follow(), show(job.outlines(request));
+///     job.trace(request);
+///     ... each frame: if (auto traced = job.poll_samples()) ...
 ///
 /// Threads: the window's; `wake` is called from the reading ones.
-class TraceDesk {
+class TraceJob {
  public:
-  TraceDesk(LiveRegistry registry, Waker wake)
+  TraceJob(LiveRegistry registry, Waker wake)
       : registry_(std::move(registry)), reading_(wake), deciding_(wake), tracing_(std::move(wake)) {}
 
   void begin(const std::filesystem::path& file);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/editing/resample_desk.h"
+#include "app/editing/resample_job.h"
 
 #include <new>
 #include <utility>
 
 namespace mes {
 
-void ResampleDesk::begin(Wish wish) {
+void ResampleJob::begin(Wish wish) {
   begun_at_ = editor_.document().revision();
   job_.begin([registry = registry_.share(), wish, wanted = epsilon,
               data = data_of(editor_.document())](const std::stop_token& stop) -> Found {
@@ -38,7 +38,7 @@ void ResampleDesk::begin(Wish wish) {
 }
 
 // The repair numbers samples from the first one of the document, dead ones included.
-Expected<void> ResampleDesk::apply(const Repair& repaired) {
+Expected<void> ResampleJob::apply(const Repair& repaired) {
   const Document& document = editor_.document();
   if (repaired.inserted == 0) return {};
   TimelineEdit edit{.name = "Repair the sampling"};
@@ -65,7 +65,7 @@ Expected<void> ResampleDesk::apply(const Repair& repaired) {
   return editor_.perform(edit);
 }
 
-Expected<void> ResampleDesk::apply(const Decimation& decimated) {
+Expected<void> ResampleJob::apply(const Decimation& decimated) {
   if (decimated.removed.empty()) return {};
   const Document& document = editor_.document();
   const std::vector<SampleSlot> slots = document.slots_in_input_order();
@@ -74,7 +74,7 @@ Expected<void> ResampleDesk::apply(const Decimation& decimated) {
   return editor_.remove(ids, "Decimate the sampling");
 }
 
-ResampleDesk::Report ResampleDesk::report_of(const Found& found) {
+ResampleJob::Report ResampleJob::report_of(const Found& found) {
   const auto refused = [](std::string text) { return Report{true, {std::move(text)}, {}, {}}; };
   if (!found.problem.empty()) return refused(found.problem);
   if (editor_.document().revision() != begun_at_)
@@ -87,7 +87,7 @@ ResampleDesk::Report ResampleDesk::report_of(const Found& found) {
   return out;
 }
 
-std::optional<ResampleDesk::Report> ResampleDesk::follow() {
+std::optional<ResampleJob::Report> ResampleJob::follow() {
   if (editor_.in_gesture()) return std::nullopt;
   const auto found = job_.poll();
   if (!found) return std::nullopt;

@@ -8,7 +8,8 @@
 //  3. A branch stays chosen if the next table has a branch with the same two ends.
 //
 // Smallest use, once a frame:
-//     if (desk.follow(BranchDesk::State{document.revision(), settings, BranchAxis::lambda}, data)) draw(*desk.table());
+//     const LatestBranches::State state{document.revision(), settings, BranchAxis::lambda};
+//     if (latest.follow(state, data)) draw(*latest.table());
 //
 // Cost: the axis from scratch, beside the window. Threads: the window's; `wake` is called from the other.
 #pragma once
@@ -25,9 +26,9 @@
 
 namespace mes {
 
-class BranchDesk {
+class LatestBranches {
  public:
-  BranchDesk(LiveRegistry registry, Waker wake) : registry_(std::move(registry)), latest_(std::move(wake)) {}
+  LatestBranches(LiveRegistry registry, Waker wake) : registry_(std::move(registry)), latest_(std::move(wake)) {}
 
   struct State {
     std::uint64_t document = 0;  ///< revision of the document
