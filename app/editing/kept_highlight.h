@@ -3,7 +3,7 @@
 //
 // Smallest use:
 //     KeptHighlight kept = highlight_of(*card.shown(), document);
-//     desk.begin(std::move(kept.annotation));
+//     annotations.begin(std::move(kept.annotation));
 #pragma once
 
 #include <cstddef>

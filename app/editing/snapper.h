@@ -7,7 +7,7 @@
 #include <string_view>
 #include <utility>
 
-#include "app/editing/annotation_desk.h"
+#include "app/editing/annotation_editor.h"
 #include "app/editing/editor.h"
 #include "app/editing/snap_settings.h"
 
@@ -33,7 +33,7 @@ class Snapper {
     double pixel = 0.0;
   };
   /// All arguments must outlive it.
-  Snapper(const Editor& editor, const AnnotationDesk& vertices, const SnapSettings& settings,
+  Snapper(const Editor& editor, const AnnotationEditor& vertices, const SnapSettings& settings,
           std::function<Steps()> steps)
       : editor_(editor), vertices_(vertices), settings_(settings), steps_(std::move(steps)) {}
 
@@ -53,7 +53,7 @@ class Snapper {
   static std::optional<Snap> lines_at(Vec2 p, double reach, double step);
 
   const Editor& editor_;
-  const AnnotationDesk& vertices_;
+  const AnnotationEditor& vertices_;
   const SnapSettings& settings_;
   std::function<Steps()> steps_;
 };

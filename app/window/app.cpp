@@ -48,7 +48,7 @@ App::App(LiveRegistry registry, std::unique_ptr<GlfwWindow> window, const std::f
               experiments_, recording_, keys_.actions(), messages_, panels_.presenter(), panels_.mark_drag(),
               [this] { board_.open_menu(); }}) {
   bind_actions();
-  recording_.desk().set_take_source([this] { return session_for_lesson(documents_.session_now()); });
+  recording_.recorder().set_take_source([this] { return session_for_lesson(documents_.session_now()); });
   dialogs_.browser.use_formats(work_.live_registry());
   dialogs_.browser.use_desktop(screen_.window->desktop_handle(), GlfwWindow::wake,
                                [this] { screen_.clock.settle(); });
@@ -89,7 +89,7 @@ void App::bind_actions() {
   actions.bind(ActionId::add_experiment, {[this] { experiments_.ask_file(); }});
   panels_.bind(actions);
   keys_.bind();
-  dialogs_.help.set_keys(actions.keymap(), KeyDesk::file().string());
+  dialogs_.help.set_keys(actions.keymap(), KeyBindings::file().string());
   dialogs_.palette.set_source([this] { return panels_.palette_entries(); });
   actions.bind(ActionId::command_palette, {[this] { dialogs_.palette.toggle(); }});
   actions.bind(ActionId::help, {[this] { dialogs_.help.toggle(); }});
@@ -195,7 +195,7 @@ void App::follow_hold() try {
   const Canvas& canvas = board_.canvas();
   const bool is_down = ImGui::GetIO().KeyAlt || input_.is_update_held();
   is_held_by_key_ = is_down && (is_held_by_key_ || canvas.is_hovered() || canvas.has_pointer());
-  work_.follow_hold(!recording_.desk().wants_exact_picture(), is_held_by_key_);
+  work_.follow_hold(!recording_.recorder().wants_exact_picture(), is_held_by_key_);
 } catch (const std::bad_alloc&) {
   refuse_for_memory();
 }
@@ -274,7 +274,7 @@ void App::take_steps() {
 void App::draw() {
   board_.draw({.pointer_px = input_.pointer_px(),
                .hides_pointer = panels_.presenter().hides_pointer(ImGui::GetTime()),
-               .is_kept = recording_.desk().wants_exact_picture()});
+               .is_kept = recording_.recorder().wants_exact_picture()});
   documents_.keep();
   // Reading pixels back waits for their drawing, so its time counts as drawing.
   screen_.times.begin_drawing();

@@ -17,7 +17,7 @@
 #include "app/window/document_flow.h"
 #include "app/window/drawing_board.h"
 #include "app/window/experiment_run.h"
-#include "app/window/key_desk.h"
+#include "app/window/key_bindings.h"
 #include "app/window/lesson_run.h"
 #include "app/window/link_run.h"
 #include "app/window/live_recording.h"
@@ -85,7 +85,7 @@ class App {
   DocumentFlow documents_;
   ExperimentRun experiments_;
   LinkRun link_;
-  KeyDesk keys_;
+  KeyBindings keys_;
   Panels panels_;
   WindowInput input_;
   int turns_at_rest_ = 0;   // consecutive turns at rest

@@ -15,7 +15,7 @@
 #include "app/actions/refusal.h"
 #include "app/panels/dialogs/dialogs.h"
 #include "app/settings/settings.h"
-#include "app/store/file_desk.h"
+#include "app/store/document_files.h"
 #include "app/store/lessons.h"
 #include "app/store/sample_shapes.h"
 #include "app/system/background_job.h"
@@ -53,13 +53,13 @@ class DocumentFlow {
   };
   DocumentFlow(Uses uses, const std::filesystem::path& assets, const Waker& wake);
 
-  FileDesk& files() { return files_; }
+  DocumentFiles& files() { return files_; }
   FigureFlow& figures() { return figures_; }
   const FigureFlow& figures() const { return figures_; }
   const TraceFlow& tracing() const { return tracing_; }
   /// Waits until the journal on the disk has all work done so far.
   void keep_on_disk();
-  const FileDesk& files() const { return files_; }
+  const DocumentFiles& files() const { return files_; }
   std::span<const SampleShape> shapes() const { return shapes_; }
   std::span<const ShippedLesson> lessons() const { return lessons_; }
   void bind(ActionBindings& actions);
@@ -126,11 +126,11 @@ class DocumentFlow {
   void take_read_file();
   /// Edits made while a file was read are not lost without a question either; without an answer the document stays.
   void ask_before_read_file();
-  void say_opened(const FileDesk::Outcome& outcome);
+  void say_opened(const DocumentFiles::Outcome& outcome);
   void show_as_in(const Session& session);
   void offer_left_work();
   void recover(LeftWork work);
-  void take_recovered(const FileDesk::Outcome& outcome, LeftWork work);
+  void take_recovered(const DocumentFiles::Outcome& outcome, LeftWork work);
   void say_left_work_waits();
   /// Deletes the files of recovered work once it is in the journal or in a file, or was given up.
   void remove_recovered();
@@ -149,7 +149,7 @@ class DocumentFlow {
   void take_saved();
   void ask_about(const FileConflict& conflict);
   void say_saved(const std::string& files);
-  void say_still_unsaved(const FileDesk::Unsaved& rest);
+  void say_still_unsaved(const DocumentFiles::Unsaved& rest);
 
   void report(const Error& error) { uses_.messages.problem(error.message()); }
   std::filesystem::path browse_folder() const;
@@ -161,7 +161,7 @@ class DocumentFlow {
   std::deque<Table> tables_;  // tables that still need a file
   std::vector<SampleShape> shapes_;
   std::vector<ShippedLesson> lessons_;
-  FileDesk files_;
+  DocumentFiles files_;
   WorkKeeper keeper_;
   FigureFlow figures_;
   TraceFlow tracing_;

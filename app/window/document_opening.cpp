@@ -187,7 +187,7 @@ void DocumentFlow::take_read_file() {
     uses_.messages.remark("It holds a lesson: Help > Lessons > Present the lesson shows its steps");
 }
 
-void DocumentFlow::say_opened(const FileDesk::Outcome& outcome) {
+void DocumentFlow::say_opened(const DocumentFiles::Outcome& outcome) {
   if (!outcome.is_shape && !outcome.is_made)
     for (const fs::path& file : outcome.files) remember_file(uses_.settings, file);
   if (outcome.left_out != 0) {
@@ -261,7 +261,7 @@ void DocumentFlow::recover(LeftWork work) {
   files_.recover(recovering_->shared_session());
 }
 
-void DocumentFlow::take_recovered(const FileDesk::Outcome& outcome, LeftWork work) {
+void DocumentFlow::take_recovered(const DocumentFiles::Outcome& outcome, LeftWork work) {
   uses_.messages.remark("Recovered " + files_.title() + "; not saved in a file yet");
   leave_document();
   uses_.board.note_new_document();

@@ -26,7 +26,7 @@ void DocumentFlow::ask_save_as() {
   uses_.lesson.end();
   std::string name = fs::path(files_.title()).stem().string();
   std::ranges::replace(name, '/', '-');
-  const FileDesk::Unsaved rest = files_.unsaved();
+  const DocumentFiles::Unsaved rest = files_.unsaved();
   const Document& document = uses_.work.document();
   const bool balls_only = document.sample_count() == 0 && document.ball_count() != 0;
   const bool wants_balls = rest.balls && !rest.samples;
@@ -122,7 +122,7 @@ void DocumentFlow::say_saved(const std::string& files) {
     keep();
     keeper_.note_saved();
   }
-  const FileDesk::Unsaved rest = files_.unsaved();
+  const DocumentFiles::Unsaved rest = files_.unsaved();
   if (!rest.any()) {
     if (const auto then = std::exchange(after_save_, {})) then();
   } else if (after_save_) {
@@ -132,7 +132,7 @@ void DocumentFlow::say_saved(const std::string& files) {
   }
 }
 
-void DocumentFlow::say_still_unsaved(const FileDesk::Unsaved& rest) {
+void DocumentFlow::say_still_unsaved(const DocumentFiles::Unsaved& rest) {
   if (rest.annotations || rest.lesson) {
     const std::string what = !rest.lesson        ? "the annotations"
                              : !rest.annotations ? "the lesson"

@@ -241,7 +241,7 @@ void DrawingBoard::draw_menu(const ActionBindings& actions) {
   const CanvasMenu::Choice choice = menu_.draw(screen_.gui, actions, work_.layers(), work_.engine());
   const CanvasMenu::Target& target = menu_.target();
   LayerStack& layers = work_.layers();
-  AnnotationDesk& annotations = work_.annotations();
+  AnnotationEditor& annotations = work_.annotations();
   // Another program may have edited the document while the menu was open.
   const bool is_same = target.document == work_.document().revision();
   switch (choice) {

@@ -29,10 +29,10 @@ std::vector<fs::path> find_examples(const fs::path& assets) {
 ExperimentRun::ExperimentRun(Uses uses, const fs::path& assets, Waker wake)
     : uses_(std::move(uses)),
       examples_(find_examples(assets)),
-      desk_(ExperimentTools::of_this_program(), std::move(wake)) {}
+      list_(ExperimentTools::of_this_program(), std::move(wake)) {}
 
 void ExperimentRun::add(const fs::path& name) {
-  if (const auto added = desk_.add(name); !added) return uses_.messages.problem(added.error().message());
+  if (const auto added = list_.add(name); !added) return uses_.messages.problem(added.error().message());
   remember_experiment(uses_.settings, name);
 }
 
@@ -66,9 +66,9 @@ void ExperimentRun::edit(const fs::path& file, std::uint64_t line) {
   uses_.messages.remark(place + " is on the clipboard");
 }
 
-void ExperimentRun::say(const ExperimentDesk::Entry& entry) {
+void ExperimentRun::say(const ExperimentList::Entry& entry) {
   const std::string name = entry.file.filename().string();
-  if (entry.state == ExperimentDesk::State::failed) {
+  if (entry.state == ExperimentList::State::failed) {
     // The panel shows the full messages, and drops them once the experiment is repaired.
     uses_.settings.panels.open(PanelPage::experiments);
     uses_.messages.remark(entry.contents.is_empty() ? name + " cannot be used"
@@ -80,13 +80,13 @@ void ExperimentRun::say(const ExperimentDesk::Entry& entry) {
 }
 
 void ExperimentRun::follow() {
-  desk_.use_compiler(uses_.settings.compiler);
+  list_.use_compiler(uses_.settings.compiler);
   const auto changed =
-      desk_.follow(uses_.work.registry(), [this](const ExperimentDesk::Entry& entry) { say(entry); });
+      list_.follow(uses_.work.registry(), [this](const ExperimentList::Entry& entry) { say(entry); });
   if (!changed) return;
   uses_.keep_work();
   std::string loaded;
-  for (const ExperimentDesk::Entry& entry : desk_.entries())
+  for (const ExperimentList::Entry& entry : list_.entries())
     if (entry.library) loaded += (loaded.empty() ? "" : ", ") + entry.file.filename().string();
   say_at_crash(loaded.empty() ? "" : "experiments loaded: " + loaded + "; the journal has what was not saved");
   uses_.work.set_registry(changed);

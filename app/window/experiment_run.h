@@ -9,7 +9,7 @@
 
 #include "app/actions/action_bindings.h"
 #include "app/actions/messages.h"
-#include "app/experiments/experiment_desk.h"
+#include "app/experiments/experiment_list.h"
 #include "app/panels/dialogs/dialogs.h"
 #include "app/settings/settings.h"
 #include "app/system/waker.h"
@@ -31,7 +31,7 @@ class ExperimentRun {
   };
   ExperimentRun(Uses uses, const std::filesystem::path& assets, Waker wake);
 
-  ExperimentDesk& desk() { return desk_; }
+  ExperimentList& list() { return list_; }
   const std::vector<std::filesystem::path>& examples() const { return examples_; }
 
   /// Adds a file or a folder that the user has named.
@@ -46,11 +46,11 @@ class ExperimentRun {
   void follow();
 
  private:
-  void say(const ExperimentDesk::Entry& entry);
+  void say(const ExperimentList::Entry& entry);
 
   Uses uses_;
   std::vector<std::filesystem::path> examples_;
-  ExperimentDesk desk_;
+  ExperimentList list_;
 };
 
 }  // namespace mes

@@ -15,9 +15,9 @@ LessonRun::LessonRun(Workspace& work, DrawingBoard& board, Messages& messages)
                   [&work] { return work.computation().settings(); },
                   [&work](const ComputationSettings& settings) { work.computation().set(settings); },
                   [this](const Box2& box) { look_at(box); }}),
-      desk_(work.editor(), [&work, &board] {
-        return LessonDesk::Look{work.layers().configuration(), work.computation().settings(),
-                                board.view().free_box()};
+      lesson_editor_(work.editor(), [&work, &board] {
+        return LessonEditor::Look{work.layers().configuration(), work.computation().settings(),
+                                  board.view().free_box()};
       }) {}
 
 void LessonRun::bind(ActionBindings& actions) {
@@ -40,10 +40,10 @@ void LessonRun::bind(ActionBindings& actions) {
   bind_step(nth(ActionId::first_nudge, 0), &LessonPresenter::go_back, true);
   bind_step(nth(ActionId::first_nudge, 1), &LessonPresenter::go_on, true);
   actions.bind(ActionId::mark_step,
-               {[this] { desk_.mark(); },
+               {[this] { lesson_editor_.mark(); },
                 {{[this] { return !is_running(); }, "a lesson is being presented"},
                  {[this] { return !work_.editor().in_gesture(); }, "a gesture is under way"},
-                 {[this] { return !desk_.is_full(); }, "the lesson has as many steps as there may be"}}});
+                 {[this] { return !lesson_editor_.is_full(); }, "the lesson has as many steps as there may be"}}});
 }
 
 void LessonRun::start(const Session& session) {

@@ -8,7 +8,7 @@
 
 #include "app/actions/action_bindings.h"
 #include "app/panels/on_canvas/lesson_card.h"
-#include "app/playing/lesson_desk.h"
+#include "app/playing/lesson_editor.h"
 #include "app/playing/lesson_presenter.h"
 #include "app/window/drawing_board.h"
 #include "app/window/workspace.h"
@@ -30,8 +30,8 @@ class LessonRun {
   const LessonPresenter& presenter() const { return presenter_; }
   /// Shows another step of the running lesson.
   void go_to(std::size_t step);
-  /// The desk on which the user makes a lesson from the document.
-  LessonDesk& desk() { return desk_; }
+  /// Makes a lesson from the document.
+  LessonEditor& lesson_editor() { return lesson_editor_; }
   /// Caption of the present step; empty while none runs.
   std::string caption() const { return is_running() ? presenter_.caption() : std::string(); }
   /// Number of the present step: "2 of 8".
@@ -58,7 +58,7 @@ class LessonRun {
   DrawingBoard& board_;
   Messages& messages_;
   LessonPresenter presenter_;
-  LessonDesk desk_;
+  LessonEditor lesson_editor_;
   bool shows_title_ = false;  // before the first step
   Box2 view_before_;
   Box2 looked_at_;  // the last requested view; empty: everything

@@ -16,28 +16,28 @@ std::shared_ptr<const PaperFonts> fonts_of_pictures(const std::filesystem::path&
 }  // namespace
 
 LiveRecording::LiveRecording(Uses uses, const std::filesystem::path& assets, std::function<void()> wake)
-    : uses_(uses), desk_(uses.board.picture(), uses.messages, fonts_of_pictures(assets), std::move(wake)) {
-  desk_.set_source(
+    : uses_(uses), recorder_(uses.board.picture(), uses.messages, fonts_of_pictures(assets), std::move(wake)) {
+  recorder_.set_source(
       [this] { return uses_.work.session_for_picture({}, uses_.board.view().free_box(), uses_.board.pane_views()); });
 }
 
 void LiveRecording::bind(ActionBindings& actions) {
   const RecordSettings& settings = uses_.settings.record;
-  actions.bind(ActionId::snapshot, {[this, &settings] { desk_.snapshot(settings); }});
-  actions.bind(ActionId::copy_picture, {[this, &settings] { desk_.copy(settings.all_panes); }});
+  actions.bind(ActionId::snapshot, {[this, &settings] { recorder_.snapshot(settings); }});
+  actions.bind(ActionId::copy_picture, {[this, &settings] { recorder_.copy(settings.all_panes); }});
   actions.bind(ActionId::record, {[this, &settings] {
-                                    if (desk_.is_recording())
-                                      desk_.stop();
+                                    if (recorder_.is_recording())
+                                      recorder_.stop();
                                     else
                                       start(settings);
                                   },
                                   {},
-                                  [this] { return desk_.is_recording(); }});
+                                  [this] { return recorder_.is_recording(); }});
   actions.bind(ActionId::make_video,
-               {[this, &settings] { desk_.start_video(settings); },
-                {{[this] { return !desk_.is_recording(); }, "a recording is under way"},
-                 {[this] { return !desk_.is_making_video(); }, "a video is being made"},
-                 {[this] { return desk_.can_make_video(); }, "there is no take to make it from"}}});
+               {[this, &settings] { recorder_.start_video(settings); },
+                {{[this] { return !recorder_.is_recording(); }, "a recording is under way"},
+                 {[this] { return !recorder_.is_making_video(); }, "a video is being made"},
+                 {[this] { return recorder_.can_make_video(); }, "there is no take to make it from"}}});
 }
 
 void LiveRecording::start(const RecordSettings& settings) {
@@ -51,7 +51,8 @@ void LiveRecording::start(const RecordSettings& settings) {
               static_cast<double>(size.width - all.left - all.width),
               static_cast<double>(size.height - all.top - all.height)};
   }
-  desk_.start(settings, {size.width, size.height, panels, panes, uses_.screen.gui.drawing_scale()}, shown_state());
+  recorder_.start(settings, {size.width, size.height, panels, panes, uses_.screen.gui.drawing_scale()},
+                  shown_state());
 }
 
 ShownState LiveRecording::shown_state() const {
@@ -82,13 +83,14 @@ AtRest LiveRecording::at_rest() const {
 }
 
 bool LiveRecording::holds_input() const {
-  return desk_.is_recording() && desk_.holds_input(shown_state(), at_rest(), uses_.work.engine().status().cancelled);
+  return recorder_.is_recording() &&
+         recorder_.holds_input(shown_state(), at_rest(), uses_.work.engine().status().cancelled);
 }
 
 // A later request to the engine changes the state, or waits until this one is noted.
 void LiveRecording::note_if_complete(bool is_reading) {
   const bool is_complete = uses_.work.is_complete() && uses_.board.has_differences() && !is_reading;
-  desk_.note_complete(is_complete ? std::optional<ShownState>(shown_state()) : std::nullopt);
+  recorder_.note_complete(is_complete ? std::optional<ShownState>(shown_state()) : std::nullopt);
 }
 
 std::vector<std::string> LiveRecording::labels_of_panes() const {
@@ -98,7 +100,7 @@ std::vector<std::string> LiveRecording::labels_of_panes() const {
   return out;
 }
 
-RecordDesk::Drawn LiveRecording::drawn() const {
+WindowRecorder::Drawn LiveRecording::drawn() const {
   const ViewMotion& view = uses_.board.view();
   return {view.camera(),
           view.insets(),
@@ -112,9 +114,9 @@ RecordDesk::Drawn LiveRecording::drawn() const {
 }
 
 void LiveRecording::follow() {
-  if (desk_.follow()) uses_.screen.clock.settle();
-  const bool waits = holds_input() && !desk_.is_waiting_for_disk();
-  if (!uses_.work.engine().status().busy && (waits || desk_.wants_turn())) uses_.screen.clock.want(1);
+  if (recorder_.follow()) uses_.screen.clock.settle();
+  const bool waits = holds_input() && !recorder_.is_waiting_for_disk();
+  if (!uses_.work.engine().status().busy && (waits || recorder_.wants_turn())) uses_.screen.clock.want(1);
 }
 
 }  // namespace mes

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Recording follows what the window shows; see record_desk.h.
+// Recording follows what the window shows; see window_recorder.h.
 #pragma once
 
 #include <filesystem>
 #include <functional>
 
 #include "app/actions/action_bindings.h"
-#include "app/recording/record_desk.h"
+#include "app/recording/window_recorder.h"
 #include "app/settings/settings.h"
 #include "app/window/demo_run.h"
 #include "app/window/drawing_board.h"
@@ -30,28 +30,28 @@ class LiveRecording {
   };
   LiveRecording(Uses uses, const std::filesystem::path& assets, std::function<void()> wake);
 
-  RecordDesk& desk() { return desk_; }
-  const RecordDesk& desk() const { return desk_; }
+  WindowRecorder& recorder() { return recorder_; }
+  const WindowRecorder& recorder() const { return recorder_; }
   void bind(ActionBindings& actions);
 
   /// True while a change waits for its frame; other input must wait until then.
   bool holds_input() const;
-  bool holds_motion() const { return desk_.holds_motion(shown_state()); }
+  bool holds_motion() const { return recorder_.holds_motion(shown_state()); }
   void note_if_complete(bool is_reading);
-  void picture_drawn() { desk_.picture_drawn(drawn()); }
-  void panels_drawn() { desk_.panels_drawn(drawn()); }
+  void picture_drawn() { recorder_.picture_drawn(drawn()); }
+  void panels_drawn() { recorder_.panels_drawn(drawn()); }
   void follow();
-  void end() { desk_.end(); }
+  void end() { recorder_.end(); }
 
  private:
   void start(const RecordSettings& settings);
   ShownState shown_state() const;
   AtRest at_rest() const;
   std::vector<std::string> labels_of_panes() const;
-  RecordDesk::Drawn drawn() const;
+  WindowRecorder::Drawn drawn() const;
 
   Uses uses_;
-  RecordDesk desk_;
+  WindowRecorder recorder_;
 };
 
 }  // namespace mes

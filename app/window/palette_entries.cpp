@@ -46,7 +46,7 @@ void add_actions(const Panels::Uses& uses, std::span<const SidePage> panels, Ent
 }
 
 void add_bundles(const Panels::Uses& uses, Entries& out) {
-  const BundleDesk& bundles = uses.work.bundles();
+  const WindowBundles& bundles = uses.work.bundles();
   for (std::size_t i = 0; i < bundles.bundles().size(); ++i) {
     const Bundle& bundle = bundles.bundles()[i];
     out.push_back({.kind = "Bundle",

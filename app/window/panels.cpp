@@ -45,15 +45,16 @@ Panels::Panels(const Uses& uses)
           uses.board.picture(),
           uses.work.computation(),
           uses.messages,
-          {uses.screen.gui, uses.actions, uses.work.engine(), uses.documents.files(), uses.recording.desk(),
-           uses.documents.figures().lesson(), uses.work.hold(), uses.work.insight().sweep, uses.experiments.desk()},
+          {uses.screen.gui, uses.actions, uses.work.engine(), uses.documents.files(), uses.recording.recorder(),
+           uses.documents.figures().lesson(), uses.work.hold(), uses.work.insight().sweep, uses.experiments.list()},
           {uses.screen.gui, uses.actions, uses.work.engine(), uses.work.document(),
            uses.work.computation().settings(), uses.board.picture(), uses.board.canvas()}},
-      toolbar_{uses.screen.gui,
-               uses.actions,
-               uses.board.canvas(),
-               uses.settings,
-               {uses.screen.gui, uses.actions, uses.recording.desk(), uses.board.picture(), uses.settings.record}},
+      toolbar_{
+          uses.screen.gui,
+          uses.actions,
+          uses.board.canvas(),
+          uses.settings,
+          {uses.screen.gui, uses.actions, uses.recording.recorder(), uses.board.picture(), uses.settings.record}},
       bundles_panel_({uses.screen.gui, uses.actions, uses.work.bundles(), uses.messages,
                       [&work = uses.work](std::size_t bundle) { work.choose_bundle(bundle); },
                       [&flow = uses.documents](std::size_t bundle) { flow.ask_export(bundle); }}),
@@ -65,7 +66,7 @@ Panels::Panels(const Uses& uses)
                         uses.work.layers(), uses.work.insight().scale_events, uses.work.insight().critical_values,
                         uses.work.insight().persistence, uses.work.insight().sweep, uses.messages),
       log_panel_{uses.screen.gui, uses.messages},
-      lesson_panel_(uses.screen.gui, uses.actions, uses.lesson.desk(), uses.lesson.presenter(),
+      lesson_panel_(uses.screen.gui, uses.actions, uses.lesson.lesson_editor(), uses.lesson.presenter(),
                     [&lesson = uses.lesson](std::size_t step) { lesson.go_to(step); }),
       selection_panel_(uses.screen.gui, uses.actions, uses.work.selection_commands(), uses.board.canvas(),
                        uses.messages),
@@ -79,7 +80,7 @@ Panels::Panels(const Uses& uses)
            [&flow = uses.documents](std::string csv) { flow.ask_table("persistence", std::move(csv)); }}),
       sampling_panel_({uses.screen.gui, uses.actions, uses.work.resampling(), uses.board.canvas(),
                        uses.work.document(), uses.work.engine(), uses.board.picture(), uses.messages}),
-      experiments_panel_({uses.screen.gui, uses.experiments.desk(), uses.experiments.examples(),
+      experiments_panel_({uses.screen.gui, uses.experiments.list(), uses.experiments.examples(),
                           uses.settings.recent_experiments, uses.settings.compiler,
                           [&run = uses.experiments] { run.ask_file(); },
                           [&run = uses.experiments](const std::filesystem::path& file) { run.add(file); },
@@ -330,7 +331,7 @@ void Panels::follow_lesson() {
 // The number and name of the slide: "3 of 13: Crust".
 std::string Panels::slide() const {
   if (uses_.lesson.is_running()) return uses_.lesson.place();
-  const BundleDesk& bundles = uses_.work.bundles();
+  const WindowBundles& bundles = uses_.work.bundles();
   const auto current = bundles.current();
   if (!current || bundles.is_changed()) return {};
   return fmt::format("{} of {}: {}", *current + 1, bundles.bundles().size(), bundles.bundles()[*current].name);
@@ -498,8 +499,8 @@ void Panels::divide(Sides& sides) {
 
 // Draws the card below its annotation.
 void Panels::draw_annotation_card(const Sides& sides) {
-  AnnotationDesk& desk = uses_.work.annotations();
-  const Annotation* const current = desk.current();
+  AnnotationEditor& annotations = uses_.work.annotations();
+  const Annotation* const current = annotations.current();
   if (current == nullptr) return;
   const Canvas& canvas = uses_.board.canvas();
   const float unit = uses_.screen.gui.unit();
@@ -511,8 +512,9 @@ void Panels::draw_annotation_card(const Sides& sides) {
   const float margin = kMargin * unit;
   const ImVec2 room[2] = {{sides.left + margin, sides.top + margin},
                           {screen.x - sides.right - margin, screen.y - sides.bottom - margin}};
-  annotation_card_.draw(uses_.screen.gui, desk, {static_cast<float>(px.x) * unit, static_cast<float>(px.y) * unit},
-                        room, [this](const Error& error) { uses_.messages.problem(error.message()); });
+  annotation_card_.draw(uses_.screen.gui, annotations,
+                        {static_cast<float>(px.x) * unit, static_cast<float>(px.y) * unit}, room,
+                        [this](const Error& error) { uses_.messages.problem(error.message()); });
 }
 
 // Draws the scale marks; returns the room left for the legend, in logical pixels.

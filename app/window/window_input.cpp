@@ -37,7 +37,7 @@ WindowInput::~WindowInput() {
 // a whole sentence of keys can arrive between two frames, so later events wait.
 void WindowInput::deliver() {
   const std::vector<const Dialog*> open = uses_.dialogs.open();
-  const auto is_recording = [this] { return uses_.recording.desk().is_recording(); };
+  const auto is_recording = [this] { return uses_.recording.recorder().is_recording(); };
   const auto is_stroke = [&] {
     return (uses_.canvas.tool().is_stroke() || is_recording()) && uses_.canvas.has_pointer();
   };
@@ -176,7 +176,7 @@ void WindowInput::run_by_key(const KeyChord& chord, bool repeated) {
   const bool is_for_dialogs = action != ActionId::record || types_text(chord);
   if (is_for_dialogs && uses_.dialogs.take_key(chord, repeated)) return;
   if (is_for_dialogs && is_for_panels(chord, repeated)) return;
-  FileDesk& files = uses_.documents.files();
+  DocumentFiles& files = uses_.documents.files();
   if (chord.symbol == key::escape && !uses_.canvas.has_pointer() && files.is_reading()) return files.cancel_reading();
   if (!action || (repeated && !descriptor_of(*action).repeats)) return;
   if (is_refused_by_gesture(*action)) return;
@@ -198,7 +198,7 @@ void WindowInput::run_by_key(const KeyChord& chord, bool repeated) {
 void WindowInput::on_key(const KeyChord& chord, bool repeated) {
   // The user may want to cancel the computation that the recording waits for, or the recording itself.
   const bool is_held = uses_.recording.holds_input();
-  const bool waits = is_held || (uses_.recording.desk().is_recording() && !events_.is_empty());
+  const bool waits = is_held || (uses_.recording.recorder().is_recording() && !events_.is_empty());
   const auto action = action_of(chord);
   const bool ends_recording = waits && action == ActionId::record && !repeated && !types_text(chord);
   if ((is_held && action == ActionId::cancel_computation) ||
@@ -212,7 +212,7 @@ void WindowInput::on_key(const KeyChord& chord, bool repeated) {
   uses_.messages.refusal("The recording ends when all that was done has its frames; " + to_string(chord) +
                          " once more ends it at once");
   events_.push([this, chord] {
-    if (std::exchange(ends_recording_, false) && uses_.recording.desk().is_recording()) run_by_key(chord, false);
+    if (std::exchange(ends_recording_, false) && uses_.recording.recorder().is_recording()) run_by_key(chord, false);
   });
 }
 

@@ -29,7 +29,7 @@ class WindowInput final : private WindowListener {
     Screen& screen;
     Canvas& canvas;
     const Selection& selection;
-    const AnnotationDesk& annotations;
+    const AnnotationEditor& annotations;
     Dialogs& dialogs;
     DocumentFlow& documents;
     ExperimentRun& experiments;

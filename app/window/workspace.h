@@ -10,7 +10,7 @@
 #include "app/actions/action_bindings.h"
 #include "app/actions/messages.h"
 #include "app/actions/refusal.h"
-#include "app/editing/annotation_desk.h"
+#include "app/editing/annotation_editor.h"
 #include "app/editing/contour_commands.h"
 #include "app/editing/curve_sampler.h"
 #include "app/editing/curve_selector.h"
@@ -29,7 +29,7 @@
 #include "app/panes/pane_list.h"
 #include "app/playing/evolution_player.h"
 #include "app/settings/settings.h"
-#include "app/store/bundle_desk.h"
+#include "app/store/window_bundles.h"
 #include "app/system/waker.h"
 #include "core/engine/engine.h"
 #include "core/graph/live_registry.h"
@@ -57,14 +57,14 @@ class Workspace {
   const ComputationControl& computation() const { return computation_; }
   LayerStack& layers() { return layers_; }
   const LayerStack& layers() const { return layers_; }
-  BundleDesk& bundles() { return bundles_; }
+  WindowBundles& bundles() { return bundles_; }
   /// The family of balls that the layers show.
   FamilyKind family() const { return family_.family(); }
   Editor& editor() { return editor_; }
   const Editor& editor() const { return editor_; }
   const Document& document() const { return editor_.document(); }
-  AnnotationDesk& annotations() { return annotations_; }
-  const AnnotationDesk& annotations() const { return annotations_; }
+  AnnotationEditor& annotations() { return annotations_; }
+  const AnnotationEditor& annotations() const { return annotations_; }
   SelectionCommands& selection_commands() { return selection_commands_; }
   Insight& insight() { return insight_; }
   ResampleJob& resampling() { return resampling_; }
@@ -161,11 +161,11 @@ class Workspace {
   Engine engine_;
   ComputationControl computation_{registry_, engine_};
   LayerStack layers_;
-  BundleDesk bundles_;
+  WindowBundles bundles_;
   UpdateHold hold_;
   bool is_held_by_action_ = false;
   Editor editor_;
-  AnnotationDesk annotations_{editor_};
+  AnnotationEditor annotations_{editor_};
   SelectionCommands selection_commands_{registry_, editor_};
   CurveSelector curve_selector_;
   ContourCommands contour_commands_;

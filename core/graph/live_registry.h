@@ -14,10 +14,10 @@ namespace mes {
 ///
 /// Smallest use:
 ///     LiveRegistry registry(builtins());
-///     const LiveRegistry of_a_desk = registry;
-///     const auto of_a_job = of_a_desk.share();
+///     const LiveRegistry of_a_window = registry;
+///     const auto of_a_job = of_a_window.share();
 ///     registry.set(std::make_shared<const Registry>(changed));
-///     of_a_desk.now().find_layer("points");
+///     of_a_window.now().find_layer("points");
 ///
 /// Cost: copies and `share` share ownership. Threads: one for all copies; any thread may read the registry itself.
 class LiveRegistry {

@@ -19,7 +19,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/experiments/experiment_desk.h"
+#include "app/experiments/experiment_list.h"
 #include "core/builtins/builtins.h"
 #include "core/engine/engine.h"
 #include "core/io/format.h"
@@ -94,7 +94,7 @@ class TimedCompiler {
 class Window {
  public:
   Window(const std::vector<Vec2>& points, const std::string& compiler)
-      : desk_({.program = MESECINA_BINARY, .compiler = compiler}, [this] { wake(); }) {
+      : list_({.program = MESECINA_BINARY, .compiler = compiler}, [this] { wake(); }) {
     camera_.set_viewport(kWidth, kHeight);
     target_ = device_.create_framebuffer({kWidth, kHeight});
     Document document;
@@ -107,13 +107,13 @@ class Window {
   Window(const Window&) = delete;
   Window& operator=(const Window&) = delete;
 
-  ExperimentDesk& desk() { return desk_; }
+  ExperimentList& list() { return list_; }
   /// Until another version is drawn. False: there is a mistake in it.
   bool show_next(const std::string& layer) {
     for (;;) {
       bool is_good = true;
-      if (auto next = desk_.follow(*registry_,
-                                   [&](const ExperimentDesk::Entry& entry) { is_good = entry.problem.empty(); })) {
+      if (auto next = list_.follow(*registry_,
+                                   [&](const ExperimentList::Entry& entry) { is_good = entry.problem.empty(); })) {
         registry_ = std::move(next);
         engine_.set_registry(registry_);
         const LayerIndex shown{registry_->find_layer(layer)};
@@ -151,7 +151,7 @@ class Window {
   render::FramebufferId target_{};
   std::vector<render::LayerView> views_;
   Engine engine_{builtins(), {}};
-  ExperimentDesk desk_;
+  ExperimentList list_;
 };
 
 void reload(benchmark::State& state, RatioTable& table, const std::vector<Vec2>& points) {
@@ -173,7 +173,7 @@ void reload(benchmark::State& state, RatioTable& table, const std::vector<Vec2>&
   save(0);
   Window window(points, compiler.words());
   std::vector<double> times;
-  if (!window.desk().add(source) || !window.show_next("gabriel")) return state.SkipWithError("it does not compile");
+  if (!window.list().add(source) || !window.show_next("gabriel")) return state.SkipWithError("it does not compile");
   for (auto _ : state) {
     const int version = static_cast<int>(times.size()) + 1;
     // Saved at any time between two looks of the watch.

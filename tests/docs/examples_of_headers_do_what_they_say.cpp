@@ -397,11 +397,11 @@ TEST_CASE("core/graph/live_registry.h") {
   Registry changed = builtins();
   REQUIRE(changed.remove_layer("points"));
   LiveRegistry registry(builtins());
-  const LiveRegistry of_a_desk = registry;
-  const auto of_a_job = of_a_desk.share();
+  const LiveRegistry of_a_window = registry;
+  const auto of_a_job = of_a_window.share();
   registry.set(std::make_shared<const Registry>(changed));
-  of_a_desk.now().find_layer("points");
-  CHECK(of_a_desk.now().find_layer("points") == kNoLayer);
+  of_a_window.now().find_layer("points");
+  CHECK(of_a_window.now().find_layer("points") == kNoLayer);
   CHECK(of_a_job->find_layer("points") != kNoLayer);
 }
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/playing/lesson_desk.h"
+#include "app/playing/lesson_editor.h"
 #include "app/playing/lesson_presenter.h"
 #include "core/base/rng.h"
 #include "core/builtins/builtins.h"
@@ -22,7 +22,7 @@ struct LessonRoom {
   ComputationSettings settings{};
   Box2 view{};
   Editor editor{{}, &layers};
-  LessonDesk desk{editor, [this] { return LessonDesk::Look{layers.configuration(), settings, view}; }};
+  LessonEditor lesson_editor{editor, [this] { return LessonEditor::Look{layers.configuration(), settings, view}; }};
   Session session() const {
     const Timeline& timeline = editor.timeline();
     return {.data = timeline.data(), .entries = timeline.entries(), .lesson = timeline.lesson()};
@@ -36,15 +36,15 @@ std::vector<bool> visible(const LayerStack& layers) {
 }
 
 /// "one, two" of the captions.
-std::string captions(const LessonDesk& desk) {
+std::string captions(const LessonEditor& lesson_editor) {
   std::string out;
-  for (const LessonStep& step : desk.lesson().steps) out += (out.empty() ? "" : " ") + step.caption;
+  for (const LessonStep& step : lesson_editor.lesson().steps) out += (out.empty() ? "" : " ") + step.caption;
   return out;
 }
 
-void mark(LessonDesk& desk, const std::string& caption) {
-  desk.mark();
-  desk.set_caption(caption);
+void mark(LessonEditor& lesson_editor, const std::string& caption) {
+  lesson_editor.mark();
+  lesson_editor.set_caption(caption);
 }
 
 }  // namespace
@@ -69,9 +69,9 @@ TEST_CASE("a marked step shows its moment, whatever was done since") {
       room.layers.set_visible(layer, !room.layers.is_visible(layer));
       room.settings.precision = random.below(2) == 0 ? Precision::exact : Precision::fast;
       room.view.add(Vec2{random.uniform(), random.uniform()});
-      CHECK(room.desk.can_mark() == !room.editor.in_gesture());
+      CHECK(room.lesson_editor.can_mark() == !room.editor.in_gesture());
       if (room.editor.in_gesture()) room.editor.end_gesture();
-      room.desk.mark();
+      room.lesson_editor.mark();
       moments.push_back({data_of(room.editor.document()), visible(room.layers), room.settings, room.view});
     }
     for (int k = 0; k < 30; ++k) script.step(room.editor);
@@ -98,83 +98,83 @@ TEST_CASE("a marked step shows its moment, whatever was done since") {
 TEST_CASE("steps are put in order, written and removed, and each change is taken back") {
   LessonRoom room;
   REQUIRE(room.editor.load({.positions = {{0, 0}}}));
-  LessonDesk& desk = room.desk;
-  CHECK_FALSE(desk.chosen());
-  CHECK_FALSE(desk.can_take_back());
-  mark(desk, "one");
-  mark(desk, "two");
-  mark(desk, "three");
-  CHECK(captions(desk) == "one two three");
+  LessonEditor& lesson_editor = room.lesson_editor;
+  CHECK_FALSE(lesson_editor.chosen());
+  CHECK_FALSE(lesson_editor.can_take_back());
+  mark(lesson_editor, "one");
+  mark(lesson_editor, "two");
+  mark(lesson_editor, "three");
+  CHECK(captions(lesson_editor) == "one two three");
   CHECK(room.editor.is_modified());
-  desk.choose(0);
-  mark(desk, "new");
-  CHECK(captions(desk) == "one new two three");
-  CHECK(desk.chosen() == 1U);
-  CHECK(desk.can_move(2));
-  CHECK_FALSE(desk.can_move(3));
-  CHECK_FALSE(desk.can_move(-2));
-  desk.move(2);
-  CHECK(captions(desk) == "one two three new");
-  desk.move(-3);
-  CHECK(captions(desk) == "new one two three");
-  CHECK(desk.chosen() == 0U);
-  desk.remove();
-  CHECK(captions(desk) == "one two three");
-  desk.take_back();
-  CHECK(captions(desk) == "new one two three");
-  desk.set_seconds(7.5);
-  CHECK(desk.lesson().steps.front().seconds == 7.5);
-  desk.set_seconds(1e9);
-  CHECK(desk.lesson().steps.front().seconds == kLongestLessonStep);
-  desk.set_seconds(std::numeric_limits<double>::quiet_NaN());
-  CHECK(desk.lesson().steps.front().seconds == kLongestLessonStep);
+  lesson_editor.choose(0);
+  mark(lesson_editor, "new");
+  CHECK(captions(lesson_editor) == "one new two three");
+  CHECK(lesson_editor.chosen() == 1U);
+  CHECK(lesson_editor.can_move(2));
+  CHECK_FALSE(lesson_editor.can_move(3));
+  CHECK_FALSE(lesson_editor.can_move(-2));
+  lesson_editor.move(2);
+  CHECK(captions(lesson_editor) == "one two three new");
+  lesson_editor.move(-3);
+  CHECK(captions(lesson_editor) == "new one two three");
+  CHECK(lesson_editor.chosen() == 0U);
+  lesson_editor.remove();
+  CHECK(captions(lesson_editor) == "one two three");
+  lesson_editor.take_back();
+  CHECK(captions(lesson_editor) == "new one two three");
+  lesson_editor.set_seconds(7.5);
+  CHECK(lesson_editor.lesson().steps.front().seconds == 7.5);
+  lesson_editor.set_seconds(1e9);
+  CHECK(lesson_editor.lesson().steps.front().seconds == kLongestLessonStep);
+  lesson_editor.set_seconds(std::numeric_limits<double>::quiet_NaN());
+  CHECK(lesson_editor.lesson().steps.front().seconds == kLongestLessonStep);
 
   REQUIRE(room.editor.insert(std::array{Vec2{1, 1}}, "Insert"));
-  desk.mark_again();
-  CHECK(desk.lesson().steps.front().caption == "new");
-  CHECK(desk.lesson().steps.front().seconds == kLongestLessonStep);
-  CHECK(desk.lesson().steps.front().position > desk.lesson().steps[1].position);
-  while (desk.can_take_back()) desk.take_back();
-  CHECK(captions(desk).empty());
-  CHECK_FALSE(desk.chosen());
+  lesson_editor.mark_again();
+  CHECK(lesson_editor.lesson().steps.front().caption == "new");
+  CHECK(lesson_editor.lesson().steps.front().seconds == kLongestLessonStep);
+  CHECK(lesson_editor.lesson().steps.front().position > lesson_editor.lesson().steps[1].position);
+  while (lesson_editor.can_take_back()) lesson_editor.take_back();
+  CHECK(captions(lesson_editor).empty());
+  CHECK_FALSE(lesson_editor.chosen());
 }
 
 TEST_CASE("a lesson is unsaved until it is saved, and another document has another lesson") {
   LessonRoom room;
   REQUIRE(room.editor.load({.positions = {{0, 0}}}));
   CHECK_FALSE(room.editor.is_modified());
-  mark(room.desk, "one");
+  mark(room.lesson_editor, "one");
   CHECK(room.editor.is_modified());
   room.editor.mark_saved();
   CHECK(room.editor.is_modified());
   room.editor.mark_lesson_saved(room.editor.timeline().lesson_revision());
   CHECK_FALSE(room.editor.is_modified());
-  room.desk.set_caption("other");
+  room.lesson_editor.set_caption("other");
   CHECK(room.editor.is_modified());
   // A change that changes nothing is none.
   room.editor.mark_lesson_saved(room.editor.timeline().lesson_revision());
-  room.desk.set_caption("other");
+  room.lesson_editor.set_caption("other");
   CHECK_FALSE(room.editor.is_modified());
   REQUIRE(room.editor.load({.positions = {{0, 0}}}));
-  CHECK_FALSE(room.desk.chosen());
-  CHECK_FALSE(room.desk.can_take_back());
-  CHECK(room.desk.lesson().steps.empty());
+  CHECK_FALSE(room.lesson_editor.chosen());
+  CHECK_FALSE(room.lesson_editor.can_take_back());
+  CHECK(room.lesson_editor.lesson().steps.empty());
 }
 
 TEST_CASE("lessons keep the bounds that their readers have") {
   LessonRoom room;
   REQUIRE(room.editor.load({.positions = {{0, 0}}}));
   for (std::size_t i = 0; i < kMostLessonSteps; ++i) {
-    REQUIRE(room.desk.can_mark());
-    room.desk.mark();
+    REQUIRE(room.lesson_editor.can_mark());
+    room.lesson_editor.mark();
   }
-  CHECK_FALSE(room.desk.can_mark());
+  CHECK_FALSE(room.lesson_editor.can_mark());
   std::string letters;
   while (letters.size() < kLongestLessonCaption + 10) letters += "\xc3\xa9";
-  room.desk.set_caption("x" + letters);
-  room.desk.set_title("x" + letters);
+  room.lesson_editor.set_caption("x" + letters);
+  room.lesson_editor.set_title("x" + letters);
   // No letter is cut: one byte less than the most.
-  CHECK(room.desk.lesson().steps.back().caption.size() == kLongestLessonCaption - 1);
-  CHECK(room.desk.lesson().title.size() == kLongestLessonTitle - 1);
+  CHECK(room.lesson_editor.lesson().steps.back().caption.size() == kLongestLessonCaption - 1);
+  CHECK(room.lesson_editor.lesson().title.size() == kLongestLessonTitle - 1);
   CHECK(read_session(write_session(room.session()), "lesson.json"));
 }

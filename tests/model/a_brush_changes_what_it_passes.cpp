@@ -15,7 +15,7 @@ constexpr int kSamples = 80;
 
 struct BrushBench {
   Editor editor{[](auto) {}};
-  AnnotationDesk annotations{editor};
+  AnnotationEditor annotations{editor};
   double spacing = 12.0;
   BrushSettings brush{.radius_px = 30.0};
   ToolContext context{.editor = editor,

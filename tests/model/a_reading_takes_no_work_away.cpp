@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "app/editing/prepared_document.h"
-#include "tests/model/desk_bench.h"
+#include "tests/model/files_bench.h"
 
 using namespace mes;
 using mes::test::contents_of;
-using Bench = mes::test::DeskBench;
+using Bench = mes::test::FilesBench;
 
 TEST_CASE("the degrees of a map are projected or kept, as it is opened") {
   Bench bench;
@@ -39,8 +39,8 @@ TEST_CASE("a file that is read while the document is edited takes its place, wit
       bench.add_sample();
       const SampleId last = bench.editor.document().id(bench.editor.index().nearest({7, 8}, 0.5));
       std::uint64_t revision = bench.editor.document().revision();
-      bench.desk.open(opened);
-      std::optional<FileDesk::Outcome> outcome;
+      bench.files.open(opened);
+      std::optional<DocumentFiles::Outcome> outcome;
       for (int edit = 0; !outcome; ++edit) {
         // Before each look the document changes once more.
         if (edit < edits) {
@@ -48,9 +48,9 @@ TEST_CASE("a file that is read while the document is edited takes its place, wit
           revision = bench.editor.document().revision();
         }
         bench.wait_for_reading();
-        outcome = bench.desk.poll();
-        CHECK(bench.desk.would_lose_work() == (edit < edits));
-        bench.desk.give_up_work();
+        outcome = bench.files.poll();
+        CHECK(bench.files.would_lose_work() == (edit < edits));
+        bench.files.give_up_work();
       }
       REQUIRE_FALSE(outcome->error);
       const Document& document = bench.editor.document();
@@ -75,23 +75,25 @@ TEST_CASE("what is done while a file is read is not lost unless that is wanted")
   const Document& document = bench.editor.document();
   bench.add_sample();
   const auto read_while = [&](const std::filesystem::path& opened, const auto& work) {
-    bench.desk.open(opened);
+    bench.files.open(opened);
     work();
     bench.wait_for_reading();
-    return bench.desk.poll();
+    return bench.files.poll();
   };
-  const auto is_held_back = [&](const auto& work) { return !read_while(file, work) && bench.desk.would_lose_work(); };
+  const auto is_held_back = [&](const auto& work) {
+    return !read_while(file, work) && bench.files.would_lose_work();
+  };
 
   REQUIRE(is_held_back([&] { bench.add_sample(); }));
-  CHECK(bench.desk.is_reading());
-  CHECK(bench.desk.reading_name() == "a.poff");
-  CHECK_FALSE(bench.desk.poll());
+  CHECK(bench.files.is_reading());
+  CHECK(bench.files.reading_name() == "a.poff");
+  CHECK_FALSE(bench.files.poll());
   CHECK(document.sample_count() == 2);
   // It is refused.
-  bench.desk.cancel_reading();
-  CHECK_FALSE(bench.desk.is_reading());
-  CHECK_FALSE(bench.desk.would_lose_work());
-  CHECK_FALSE(bench.desk.poll());
+  bench.files.cancel_reading();
+  CHECK_FALSE(bench.files.is_reading());
+  CHECK_FALSE(bench.files.would_lose_work());
+  CHECK_FALSE(bench.files.poll());
   bench.editor.undo();
   CHECK(document.sample_count() == 1);
   bench.editor.redo();
@@ -100,13 +102,13 @@ TEST_CASE("what is done while a file is read is not lost unless that is wanted")
   REQUIRE(is_held_back([&] { bench.add_ball(); }));
   CHECK(read_while(file, [] {})->samples == 2);
   CHECK(document.ball_count() == 0);
-  CHECK_FALSE(bench.desk.would_lose_work());
+  CHECK_FALSE(bench.files.would_lose_work());
 
   // It is saved.
   REQUIRE(is_held_back([&] { bench.add_sample(); }));
   REQUIRE(bench.save_as(bench.folder / "b.poff"));
-  CHECK_FALSE(bench.desk.would_lose_work());
-  CHECK(bench.desk.poll()->samples == 2);
+  CHECK_FALSE(bench.files.would_lose_work());
+  CHECK(bench.files.poll()->samples == 2);
   CHECK(contents_of(bench.folder / "b.poff") == "POFF 3 0 0\n1 2\n3 4\n7 8\n");
 
   // It is taken back, or made new by `start_empty`.
@@ -115,8 +117,8 @@ TEST_CASE("what is done while a file is read is not lost unless that is wanted")
     bench.editor.undo();
   }));
   REQUIRE(is_held_back([&] { bench.add_sample(); }));
-  bench.desk.start_empty();
-  CHECK_FALSE(bench.desk.is_reading());
+  bench.files.start_empty();
+  CHECK_FALSE(bench.files.is_reading());
   CHECK(document.is_empty());
 
   // A lesson is work too; a file that cannot be read takes no place.
@@ -133,25 +135,25 @@ TEST_CASE("an evolution that plays on while a file is read is asked about once")
   bench.add_sample();
   const auto evolve = [&](double x) { REQUIRE(bench.editor.evolve(std::vector{Vec2{x, 8}}, {}, "evolution")); };
   const auto is_held_back = [&](const auto& work) {
-    bench.desk.open(file);
+    bench.files.open(file);
     work();
     bench.wait_for_reading();
-    const bool is_taken = bench.desk.poll().has_value();
-    CHECK(is_taken != bench.desk.would_lose_work());
+    const bool is_taken = bench.files.poll().has_value();
+    CHECK(is_taken != bench.files.would_lose_work());
     return !is_taken;
   };
   REQUIRE(is_held_back([&] {
     evolve(1);
     evolve(2);
   }));
-  bench.desk.give_up_work();
+  bench.files.give_up_work();
   evolve(3);
-  CHECK_FALSE(bench.desk.would_lose_work());
+  CHECK_FALSE(bench.files.would_lose_work());
   bench.add_sample();
-  CHECK(bench.desk.would_lose_work());
+  CHECK(bench.files.would_lose_work());
   bench.editor.undo();
-  CHECK_FALSE(bench.desk.would_lose_work());
-  CHECK(bench.desk.poll());
+  CHECK_FALSE(bench.files.would_lose_work());
+  CHECK(bench.files.poll());
   CHECK(bench.editor.document().sample_count() == 1);
   CHECK_FALSE(bench.editor.can_undo());
 }
@@ -164,29 +166,29 @@ TEST_CASE("what an evolution changes while a file is read is asked about where n
   evolve(1);
   REQUIRE(bench.save_as(bench.folder / "b.poff"));
   REQUIRE_FALSE(bench.editor.is_modified());
-  bench.desk.open(file);
+  bench.files.open(file);
   evolve(2);
   bench.wait_for_reading();
-  CHECK_FALSE(bench.desk.poll());
-  CHECK(bench.desk.would_lose_work());
-  bench.desk.give_up_work();
+  CHECK_FALSE(bench.files.poll());
+  CHECK(bench.files.would_lose_work());
+  bench.files.give_up_work();
   evolve(3);
-  CHECK_FALSE(bench.desk.would_lose_work());
-  CHECK(bench.desk.poll());
+  CHECK_FALSE(bench.files.would_lose_work());
+  CHECK(bench.files.poll());
 }
 
 TEST_CASE("samples that are added before each look do not put off for good what was read") {
   Bench bench;
   const auto file = bench.folder.write("a.poff", "POFF 1 0 0\n1 2\n");
-  bench.desk.open(file);
+  bench.files.open(file);
   const std::vector<Vec2> many(70'000, Vec2{1, 1});
-  std::optional<FileDesk::Outcome> outcome;
+  std::optional<DocumentFiles::Outcome> outcome;
   int looks = 0;
   for (; !outcome && looks < 10; ++looks) {
     REQUIRE(bench.editor.insert(many, "many"));
-    bench.desk.give_up_work();
+    bench.files.give_up_work();
     bench.wait_for_reading();
-    outcome = bench.desk.poll();
+    outcome = bench.files.poll();
   }
   REQUIRE(outcome);
   CHECK(looks == 2);
@@ -216,15 +218,15 @@ TEST_CASE("where ids run out, files are opened as long as there are some, and re
 TEST_CASE("more samples than numbers were left for are made while a file is read") {
   Bench bench;
   const auto file = bench.folder.write("a.poff", "POFF 1 0 0\n1 2\n");
-  bench.desk.open(file);
+  bench.files.open(file);
   std::vector<Vec2> many(70'000);
   for (std::size_t i = 0; i < many.size(); ++i) many[i] = {static_cast<double>(i), 1};
   REQUIRE(bench.editor.insert(many, "many"));
   const Document& document = bench.editor.document();
   const SampleId last = document.id(bench.editor.index().nearest(many.back(), 0.5));
-  bench.desk.give_up_work();
-  std::optional<FileDesk::Outcome> outcome;
-  while (!outcome) outcome = bench.desk.poll();
+  bench.files.give_up_work();
+  std::optional<DocumentFiles::Outcome> outcome;
+  while (!outcome) outcome = bench.files.poll();
   REQUIRE_FALSE(outcome->error);
   REQUIRE(document.sample_count() == 1);
   CHECK(document.id(document.slots_in_input_order().front()) > last);
@@ -238,17 +240,17 @@ TEST_CASE("a reading says how far it is, and does not go back") {
     samples += std::to_string(i) + " 1\n";
     balls += std::to_string(i) + " 2 0.5\n";
   }
-  bench.desk.open(std::vector{bench.folder.write("a.poff", samples), bench.folder.write("a.wpoff", balls)});
+  bench.files.open(std::vector{bench.folder.write("a.poff", samples), bench.folder.write("a.wpoff", balls)});
   double before = 0.0;
-  while (!bench.desk.has_read()) {
-    const double now = bench.desk.reading_progress();
+  while (!bench.files.has_read()) {
+    const double now = bench.files.reading_progress();
     REQUIRE(now >= before);
     before = now;
   }
-  CHECK(bench.desk.reading_progress() > 0.95);
-  CHECK(bench.desk.reading_progress() <= 1.0);
-  CHECK(bench.desk.poll()->balls == 40'000);
-  CHECK(bench.desk.reading_progress() == 0.0);
+  CHECK(bench.files.reading_progress() > 0.95);
+  CHECK(bench.files.reading_progress() <= 1.0);
+  CHECK(bench.files.poll()->balls == 40'000);
+  CHECK(bench.files.reading_progress() == 0.0);
 }
 
 TEST_CASE("recovered work has no file and counts as unsaved") {
@@ -259,27 +261,27 @@ TEST_CASE("recovered work has no file and counts as unsaved") {
                                               .entries = {TimelineEdit{.name = "more", .inserted = {{3, 4}}}}});
   // What is there stays if it is stopped, or edited meanwhile.
   bench.add_sample();
-  bench.desk.recover(work);
-  bench.desk.cancel_reading();
-  CHECK_FALSE(bench.desk.poll());
-  bench.desk.recover(work);
+  bench.files.recover(work);
+  bench.files.cancel_reading();
+  CHECK_FALSE(bench.files.poll());
+  bench.files.recover(work);
   bench.add_ball();
   bench.wait_for_reading();
-  CHECK_FALSE(bench.desk.poll());
-  CHECK(bench.desk.would_lose_work());
+  CHECK_FALSE(bench.files.poll());
+  CHECK(bench.files.would_lose_work());
   CHECK(bench.editor.document().ball_count() == 1);
 
-  bench.desk.recover(work);
-  const FileDesk::Outcome outcome = bench.outcome();
+  bench.files.recover(work);
+  const DocumentFiles::Outcome outcome = bench.outcome();
   REQUIRE_FALSE(outcome.error);
   CHECK(outcome.is_recovered);
   CHECK(outcome.session == work);
   CHECK(bench.editor.document().sample_count() == 2);
   CHECK(bench.editor.undo_name() == "more");
-  CHECK(bench.desk.title() == "x");
-  CHECK(bench.desk.file().empty());
+  CHECK(bench.files.title() == "x");
+  CHECK(bench.files.file().empty());
   CHECK(bench.editor.is_modified());
-  CHECK(bench.desk.unsaved().samples);
+  CHECK(bench.files.unsaved().samples);
   REQUIRE(bench.save_as(bench.folder.path() / "x.poff"));
   CHECK_FALSE(bench.editor.is_modified());
 }
@@ -289,10 +291,10 @@ TEST_CASE("a document is left although a file is still being waited for") {
   const auto pipe = folder / "pipe.poff";
   REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
   Bench bench;
-  bench.desk.open(pipe);
-  CHECK(bench.desk.is_reading());
-  bench.desk.open(pipe);
-  bench.desk.start_empty();
-  CHECK_FALSE(bench.desk.is_reading());
-  bench.desk.open(pipe);
+  bench.files.open(pipe);
+  CHECK(bench.files.is_reading());
+  bench.files.open(pipe);
+  bench.files.start_empty();
+  CHECK_FALSE(bench.files.is_reading());
+  bench.files.open(pipe);
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The annotation tool and its desk: what clicks and drags make, how many steps of undo they are, and what they follow.
+// The annotation tool and the editor of annotations: what clicks and drags make, how many steps of undo they are, and what
+// they follow.
 #include <catch2/catch.hpp>
 
 #include "app/canvas/canvas.h"
@@ -17,10 +18,10 @@ struct AnnotationBench {
   Editor editor{{}};
   double spacing = 10.0;
   int refused = 0;
-  AnnotationDesk desk{editor};
+  AnnotationEditor annotations{editor};
   std::optional<std::size_t> under_pointer{};
   ToolContext context{
-      editor, desk, spacing, [this](const Error&) { ++refused; }, {}, [this](Vec2) { return under_pointer; }};
+      editor, annotations, spacing, [this](const Error&) { ++refused; }, {}, [this](Vec2) { return under_pointer; }};
   AnnotateTool tool{context};
 
   // Two samples on a horizontal line, one below: the centre of their circle is at (150, 150).
@@ -39,10 +40,10 @@ struct AnnotationBench {
   }
   void click(const Pointer& pointer) { drag(pointer, pointer); }
   void write(const std::string& text) {
-    REQUIRE(desk.current() != nullptr);
-    Annotation changed = *desk.current();
+    REQUIRE(annotations.current() != nullptr);
+    Annotation changed = *annotations.current();
     changed.text = text;
-    REQUIRE(desk.change(changed));
+    REQUIRE(annotations.change(changed));
   }
   const Annotations& all() const { return *editor.document().annotations(); }
   Vec2 place(std::size_t i, std::size_t anchor = 0) const {
@@ -59,7 +60,7 @@ struct AnnotationBench {
 TEST_CASE("a click is where words begin, and writing them is one step") {
   AnnotationBench bench;
   bench.click(at_pixel(400, 300));
-  REQUIRE(bench.desk.is_draft());
+  REQUIRE(bench.annotations.is_draft());
   CHECK(bench.all().empty());
   CHECK_FALSE(bench.editor.can_undo());
   for (const char* words : {"c", "cr", "cru", "crust"}) bench.write(words);
@@ -67,7 +68,7 @@ TEST_CASE("a click is where words begin, and writing them is one step") {
   CHECK(bench.all()[0].text == "crust");
   CHECK(bench.all()[0].kind == AnnotationKind::text);
   CHECK(bench.place(0) == at_pixel(400, 300).world);
-  CHECK(bench.desk.close());
+  CHECK(bench.annotations.close());
   CHECK(bench.editor.undo_name() == "Annotate");
   bench.editor.undo();
   CHECK(bench.all().empty());
@@ -76,9 +77,9 @@ TEST_CASE("a click is where words begin, and writing them is one step") {
   CHECK(bench.all()[0].text == "crust");
 
   // What is changed later is one more step, however many letters.
-  bench.desk.select(0);
+  bench.annotations.select(0);
   for (const char* words : {"crus", "crusts"}) bench.write(words);
-  bench.desk.close();
+  bench.annotations.close();
   CHECK(bench.editor.undo_name() == "Change annotation");
   bench.editor.undo();
   CHECK(bench.all()[0].text == "crust");
@@ -87,21 +88,21 @@ TEST_CASE("a click is where words begin, and writing them is one step") {
 TEST_CASE("words that are taken back leave nothing") {
   AnnotationBench bench;
   bench.click(at_pixel(400, 300));
-  bench.desk.close();
+  bench.annotations.close();
   CHECK(bench.all().empty());
   bench.click(at_pixel(400, 300));
   bench.write("a");
   bench.write("");
-  bench.desk.close();
+  bench.annotations.close();
   CHECK(bench.all().empty());
   CHECK_FALSE(bench.editor.can_undo());
   // Of an older one, deleting is a step of its own.
   bench.click(at_pixel(400, 300));
   bench.write("older");
-  bench.desk.close();
-  bench.desk.select(0);
+  bench.annotations.close();
+  bench.annotations.select(0);
   bench.write(" ");
-  bench.desk.close();
+  bench.annotations.close();
   CHECK(bench.all().empty());
   bench.editor.undo();
   bench.editor.undo();
@@ -114,7 +115,7 @@ TEST_CASE("what begins on a sample or a vertex follows it") {
   bench.write("sample");
   bench.drag(at_pixel(150, 152), at_pixel(300, 40));
   bench.write("vertex");
-  bench.desk.close();
+  bench.annotations.close();
   REQUIRE(bench.all().size() == 2);
   CHECK(bench.all()[0].kind == AnnotationKind::leader);
   CHECK(bench.all()[0].anchors[0].samples == std::vector<std::uint32_t>{0});
@@ -131,20 +132,20 @@ TEST_CASE("what begins on a sample or a vertex follows it") {
 
 TEST_CASE("a circle with a sample inside has no vertex at its centre") {
   AnnotationBench bench;
-  CHECK(bench.desk.anchor_at(at_pixel(152, 149).world, 4.5, true).samples.size() == 3);
-  CHECK(bench.desk.anchor_at(at_pixel(152, 149).world, 4.5, false).samples.empty());
+  CHECK(bench.annotations.anchor_at(at_pixel(152, 149).world, 4.5, true).samples.size() == 3);
+  CHECK(bench.annotations.anchor_at(at_pixel(152, 149).world, 4.5, false).samples.empty());
   REQUIRE(bench.editor.insert(std::array{at_pixel(150, 90).world}, "Insert"));
-  CHECK(bench.desk.anchor_at(at_pixel(152, 149).world, 4.5, true).samples.empty());
+  CHECK(bench.annotations.anchor_at(at_pixel(152, 149).world, 4.5, true).samples.empty());
   // Nothing is near, and nothing is there at all.
-  CHECK(bench.desk.anchor_at({1e30, 1e30}, 4.5, true).samples.empty());
+  CHECK(bench.annotations.anchor_at({1e30, 1e30}, 4.5, true).samples.empty());
   // Among more samples than can be searched while the pointer moves there are none either.
   SampleData many{.positions = {at_pixel(100, 100).world, at_pixel(200, 100).world, at_pixel(200, 200).world}};
   for (int i = 0; i <= 20'000; ++i) many.positions.push_back({1e4 + i, 1e4});
   REQUIRE(bench.editor.load(many));
-  CHECK(bench.desk.anchor_at(at_pixel(152, 149).world, 4.5, true).samples.empty());
-  CHECK(bench.desk.anchor_at(at_pixel(102, 99).world, 4.5, true).samples.size() == 1);
+  CHECK(bench.annotations.anchor_at(at_pixel(152, 149).world, 4.5, true).samples.empty());
+  CHECK(bench.annotations.anchor_at(at_pixel(102, 99).world, 4.5, true).samples.size() == 1);
   REQUIRE(bench.editor.load({}));
-  CHECK(bench.desk.anchor_at({0, 0}, 4.5, true).samples.empty());
+  CHECK(bench.annotations.anchor_at({0, 0}, 4.5, true).samples.empty());
 }
 
 TEST_CASE("the element that a line will be on is ringed") {
@@ -180,7 +181,7 @@ TEST_CASE("a drag over free space is an arrow, which needs no words") {
   REQUIRE(bench.all().size() == 1);
   CHECK(bench.all()[0].kind == AnnotationKind::arrow);
   CHECK(bench.all()[0].anchors[1].samples == std::vector<std::uint32_t>{2});
-  bench.desk.close();
+  bench.annotations.close();
   CHECK(bench.all().size() == 1);
   CHECK(bench.refused == 0);
 }
@@ -189,7 +190,7 @@ TEST_CASE("a drag of an annotation is one step, and Esc takes it back") {
   AnnotationBench bench;
   bench.click(at_pixel(400, 300));
   bench.write("words");
-  bench.desk.close();
+  bench.annotations.close();
   bench.under_pointer = 0;
   bench.drag(at_pixel(410, 298), at_pixel(450, 338));
   CHECK(bench.place(0) == at_pixel(440, 340).world);
@@ -202,18 +203,18 @@ TEST_CASE("a drag of an annotation is one step, and Esc takes it back") {
   bench.tool.cancel();
   CHECK_FALSE(bench.editor.in_gesture());
   CHECK(bench.place(0) == at_pixel(400, 300).world);
-  // A click chooses it; the key that deletes it works on the desk.
+  // A click chooses it; the key that deletes it works on the annotation.
   bench.click(at_pixel(410, 298));
-  REQUIRE(bench.desk.current() != nullptr);
-  CHECK(bench.desk.current()->text == "words");
-  REQUIRE(bench.desk.erase());
+  REQUIRE(bench.annotations.current() != nullptr);
+  CHECK(bench.annotations.current()->text == "words");
+  REQUIRE(bench.annotations.erase());
   CHECK(bench.all().empty());
 }
 
 TEST_CASE("an end of an arrow is taken to another element") {
   AnnotationBench bench;
   bench.drag(at_pixel(400, 300), at_pixel(300, 300));
-  bench.desk.close();
+  bench.annotations.close();
   bench.under_pointer = 0;
   bench.drag(at_pixel(301, 300), at_pixel(200, 101));
   CHECK(bench.all()[0].anchors[0].at == at_pixel(400, 300).world);
@@ -224,20 +225,20 @@ TEST_CASE("whatever else changes annotations ends the choice") {
   AnnotationBench bench;
   bench.click(at_pixel(400, 300));
   bench.write("first");
-  bench.desk.close();
-  bench.desk.select(0);
+  bench.annotations.close();
+  bench.annotations.select(0);
   bench.editor.undo();
-  CHECK(bench.desk.current() == nullptr);
-  bench.desk.follow();
-  CHECK_FALSE(bench.desk.selected().has_value());
-  REQUIRE(bench.desk.erase());
-  CHECK_FALSE(bench.desk.close());
+  CHECK(bench.annotations.current() == nullptr);
+  bench.annotations.follow();
+  CHECK_FALSE(bench.annotations.selected().has_value());
+  REQUIRE(bench.annotations.erase());
+  CHECK_FALSE(bench.annotations.close());
   // Deleting a sample changes the places of what follows it, and nothing else.
   bench.click(at_pixel(100, 100));
   bench.write("on a sample");
   const SampleId id{bench.editor.document().first_id().value};
   REQUIRE(bench.editor.remove(std::array{id}, "Delete"));
-  bench.desk.follow();
+  bench.annotations.follow();
   bench.write("where a sample was");
   CHECK(bench.all()[0].text == "where a sample was");
   CHECK(bench.place(0) == at_pixel(100, 100).world);
@@ -246,18 +247,18 @@ TEST_CASE("whatever else changes annotations ends the choice") {
 TEST_CASE("a draft does not reach another document") {
   AnnotationBench bench;
   bench.click(at_pixel(100, 100));
-  REQUIRE(bench.desk.is_draft());
-  bench.desk.forget();
-  CHECK(bench.desk.current() == nullptr);
+  REQUIRE(bench.annotations.is_draft());
+  bench.annotations.forget();
+  CHECK(bench.annotations.current() == nullptr);
   REQUIRE(bench.editor.load({.positions = {{1, 2}}}));
-  REQUIRE(bench.desk.change({.text = "late", .anchors = {{.samples = {2}}}}));
+  REQUIRE(bench.annotations.change({.text = "late", .anchors = {{.samples = {2}}}}));
   CHECK(bench.all().empty());
   // Nor does a choice.
   bench.click(at_pixel(400, 300));
   bench.write("words");
   REQUIRE(bench.editor.load({}));
-  CHECK(bench.desk.current() == nullptr);
-  CHECK_FALSE(bench.desk.close());
+  CHECK(bench.annotations.current() == nullptr);
+  CHECK_FALSE(bench.annotations.close());
 }
 
 TEST_CASE("a measurement becomes a dimension that follows its samples") {
@@ -271,7 +272,7 @@ TEST_CASE("a measurement becomes a dimension that follows its samples") {
   auto kept = measure.measurement();
   REQUIRE(kept.has_value());
   CHECK(kept->kind == AnnotationKind::distance);
-  REQUIRE(bench.desk.begin(*kept));
+  REQUIRE(bench.annotations.begin(*kept));
   REQUIRE(bench.all().size() == 1);
   bench.move_sample(1, at_pixel(300, 100).world);
   CHECK(distance(bench.place(0, 0), bench.place(0, 1)) == 100.0);
@@ -286,9 +287,9 @@ TEST_CASE("a session brings annotations back with all that can be undone") {
   AnnotationBench bench;
   bench.click(at_pixel(100, 100));
   bench.write("on $p_0$");
-  bench.desk.close();
+  bench.annotations.close();
   bench.drag(at_pixel(400, 300), at_pixel(300, 300));
-  bench.desk.close();
+  bench.annotations.close();
   bench.move_sample(0, at_pixel(120, 90).world);
   const Session session{.data = bench.editor.timeline().data(), .entries = bench.editor.timeline().entries()};
   const auto read = read_session(write_session(session), "a.json");

@@ -21,7 +21,7 @@ struct BallBench {
   Editor editor{{}};
   double spacing = 10.0;
   int refused = 0;
-  AnnotationDesk annotations{editor};
+  AnnotationEditor annotations{editor};
   ToolContext context{editor, annotations, spacing, [this](const Error&) { ++refused; }};
 
   // Balls with 40 pixels of radius around the pixels (100, 100), (300, 100) and (500, 100), and a sample between each

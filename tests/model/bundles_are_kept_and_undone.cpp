@@ -6,7 +6,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "app/store/bundle_desk.h"
+#include "app/store/window_bundles.h"
 #include "core/io/bundle_file.h"
 #include "tests/io/temporary_folder.h"
 #include "tests/support/builtin_layers.h"
@@ -129,10 +129,10 @@ TEST_CASE("undo takes back what was done here and nothing that another window di
   const auto file = folder / "bundles.json";
   const std::vector<LayerDescriptor> descriptors{{.id = "points", .visible_at_start = true}};
   LayerStack layers(descriptors);
-  BundleDesk one(file, {}, layers);
+  WindowBundles one(file, {}, layers);
   REQUIRE(one.save("a"));
   REQUIRE(one.save("b"));
-  BundleDesk other(file, {}, layers);
+  WindowBundles other(file, {}, layers);
   REQUIRE(other.save("other's"));
   REQUIRE(one.remove(0));
   CHECK(names_of_bundles(one.bundles()) == "b! other's! ");
@@ -267,8 +267,8 @@ TEST_CASE("starting bundles that are broken or missing are reported, and the oth
   CHECK(bundles.size() >= 9);
   CHECK_THAT(message, Catch::Contains("a.json"));
   LayerStack layers(layer_descriptors());
-  BundleDesk desk(assets / "own.json", assets.path(), layers);
-  CHECK(desk.take_message() == message);
+  WindowBundles bundles(assets / "own.json", assets.path(), layers);
+  CHECK(bundles.take_message() == message);
 }
 
 TEST_CASE("what the window does to bundles is on disk at once and can be undone") {
@@ -277,34 +277,34 @@ TEST_CASE("what the window does to bundles is on disk at once and can be undone"
   const auto on_disk = [&] { return names_of_bundles(BundleStore(layer_descriptors(), file).load({}).bundles); };
   const std::vector<LayerDescriptor> descriptors{{.id = "points", .visible_at_start = true}, {.id = "curve"}};
   LayerStack layers(descriptors);
-  BundleDesk desk(file, {}, layers);
-  CHECK_FALSE(desk.current());
-  CHECK_FALSE(desk.save(" "));
-  REQUIRE(desk.save("a"));
-  CHECK(desk.current() == 0U);
+  WindowBundles bundles(file, {}, layers);
+  CHECK_FALSE(bundles.current());
+  CHECK_FALSE(bundles.save(" "));
+  REQUIRE(bundles.save("a"));
+  CHECK(bundles.current() == 0U);
   layers.set_visible(1, true);
-  CHECK(desk.is_changed());
-  REQUIRE(desk.save("b"));
+  CHECK(bundles.is_changed());
+  REQUIRE(bundles.save("b"));
   CHECK(on_disk() == "a! b! ");
-  desk.choose(0);
+  bundles.choose(0);
   CHECK_FALSE(layers.is_visible(1));
-  CHECK(desk.undo_offer().empty());
-  REQUIRE(desk.rename(0, "c"));
-  CHECK(desk.current() == 0U);
-  REQUIRE(desk.move(0, 1));
-  CHECK(desk.current() == 1U);
-  REQUIRE(desk.remove(0));
+  CHECK(bundles.undo_offer().empty());
+  REQUIRE(bundles.rename(0, "c"));
+  CHECK(bundles.current() == 0U);
+  REQUIRE(bundles.move(0, 1));
+  CHECK(bundles.current() == 1U);
+  REQUIRE(bundles.remove(0));
   CHECK(on_disk() == "c! ");
-  CHECK(desk.undo_offer() == "Deleted \"b\"");
-  REQUIRE(desk.undo());
+  CHECK(bundles.undo_offer() == "Deleted \"b\"");
+  REQUIRE(bundles.undo());
   CHECK(on_disk() == "b! c! ");
-  REQUIRE(desk.export_to(folder / "one.json", 1));
-  REQUIRE(desk.export_to(folder / "all.json", {}));
-  REQUIRE(desk.remove(1));
-  CHECK(desk.import(folder / "one.json") == "Imported the bundle \"c\"");
-  CHECK(desk.current() == 1U);
+  REQUIRE(bundles.export_to(folder / "one.json", 1));
+  REQUIRE(bundles.export_to(folder / "all.json", {}));
+  REQUIRE(bundles.remove(1));
+  CHECK(bundles.import(folder / "one.json") == "Imported the bundle \"c\"");
+  CHECK(bundles.current() == 1U);
   CHECK(on_disk() == "b! c! ");
-  CHECK(desk.import(folder / "all.json") == "Imported 2 bundles");
+  CHECK(bundles.import(folder / "all.json") == "Imported 2 bundles");
   CHECK(on_disk() == "b! c! ");
-  CHECK_FALSE(desk.import(folder / "none.json"));
+  CHECK_FALSE(bundles.import(folder / "none.json"));
 }

@@ -176,7 +176,7 @@ TEST_CASE("what waits for lack of memory is passed on later") {
 
 TEST_CASE("a handle scales what is selected in one step, and turns it") {
   Editor editor([](auto) {});
-  AnnotationDesk annotations{editor};
+  AnnotationEditor annotations{editor};
   double spacing = 10.0;
   const SelectionFrame frame{editor};
   const bool shows_frame = true;

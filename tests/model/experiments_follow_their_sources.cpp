@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "app/experiments/experiment_desk.h"
+#include "app/experiments/experiment_list.h"
 #include "core/builtins/builtins.h"
 #include "core/graph/registry.h"
 #include "tests/io/temporary_folder.h"
@@ -46,11 +46,11 @@ std::string source_of(const std::string& id, const std::string& input, const std
          rest + "}\n";
 }
 
-/// The desk of a window, and the registry that it has led to.
+/// The experiments of a window, and the registry that they have led to.
 struct Window {
   TemporaryFolder folder;
   Bell bell;
-  ExperimentDesk desk{{}, bell.ring()};
+  ExperimentList list{{}, bell.ring()};
   std::shared_ptr<const Registry> registry = std::make_shared<const Registry>(builtins());
   std::vector<std::string> news;
 
@@ -61,8 +61,8 @@ struct Window {
     return (folder / name).string();
   }
   void follow() {
-    const auto tell = [this](const ExperimentDesk::Entry& entry) { news.push_back(entry.file.filename().string()); };
-    if (auto changed = desk.follow(*registry, tell)) registry = std::move(changed);
+    const auto tell = [this](const ExperimentList::Entry& entry) { news.push_back(entry.file.filename().string()); };
+    if (auto changed = list.follow(*registry, tell)) registry = std::move(changed);
   }
   /// Until so many preparations have ended.
   void wait_for_news(std::size_t count) {
@@ -73,17 +73,17 @@ struct Window {
     CHECK(news.size() == count);
   }
   bool has(const std::string& layer) const { return registry->find_layer(layer) != kNoLayer; }
-  const ExperimentDesk::Entry& entry(std::size_t index) const { return desk.entries()[index]; }
+  const ExperimentList::Entry& entry(std::size_t index) const { return list.entries()[index]; }
 };
 
-using State = ExperimentDesk::State;
+using State = ExperimentList::State;
 
 }  // namespace
 
 TEST_CASE("saving a source replaces its version, and a mistake takes nothing away") {
   Window window;
   const std::string file = window.write("mine.cpp", source_of("first", "delaunay"));
-  REQUIRE(window.desk.add(file));
+  REQUIRE(window.list.add(file));
   window.wait_for_news(1);
   REQUIRE(window.entry(0).state == State::added);
   CHECK(window.has("first-layer"));
@@ -117,7 +117,7 @@ TEST_CASE("saving a source replaces its version, and a mistake takes nothing awa
   window.wait_for_news(5);
   CHECK(window.registry->find_layer("first-layer") == place);
 
-  window.desk.remove(0);
+  window.list.remove(0);
   window.follow();
   CHECK_FALSE(window.has("first-layer"));
   CHECK(window.registry->find_structure("first") == nullptr);
@@ -129,8 +129,8 @@ TEST_CASE("an experiment that reads another one comes and goes with it") {
   const std::string base = window.write("base.cpp", source_of("base", "delaunay"));
   const std::string above = window.write("over.cpp", source_of("over", "base"));
   // In the order of their names.
-  REQUIRE(window.desk.add(fs::path(base).parent_path()));
-  REQUIRE(window.desk.entries().size() == 2);
+  REQUIRE(window.list.add(fs::path(base).parent_path()));
+  REQUIRE(window.list.entries().size() == 2);
   window.wait_for_news(2);
   CHECK(window.has("base-layer"));
   CHECK(window.has("over-layer"));
@@ -155,14 +155,14 @@ TEST_CASE("an experiment that reads another one comes and goes with it") {
 
 TEST_CASE("what is no experiment is refused, and one that is removed while it is compiled does not come") {
   Window window;
-  CHECK_FALSE(window.desk.add(window.folder / "nowhere.cpp"));
-  CHECK_FALSE(window.desk.add(window.write("notes.txt", "notes\n")));
-  CHECK(window.desk.entries().empty());
-  REQUIRE(window.desk.add(window.write("mine.cpp", source_of("mine", "delaunay"))));
+  CHECK_FALSE(window.list.add(window.folder / "nowhere.cpp"));
+  CHECK_FALSE(window.list.add(window.write("notes.txt", "notes\n")));
+  CHECK(window.list.entries().empty());
+  REQUIRE(window.list.add(window.write("mine.cpp", source_of("mine", "delaunay"))));
   window.follow();
-  CHECK(window.desk.is_busy());
-  window.desk.remove(0);
-  REQUIRE(window.desk.add(window.write("other.cpp", source_of("other", "delaunay"))));
+  CHECK(window.list.is_busy());
+  window.list.remove(0);
+  REQUIRE(window.list.add(window.write("other.cpp", source_of("other", "delaunay"))));
   window.wait_for_news(1);
   CHECK(window.has("other-layer"));
   CHECK_FALSE(window.has("mine-layer"));

@@ -45,7 +45,7 @@ std::vector<VariantLayer> layers_of(const ShownPanes::Layers& pane) {
 struct PaneBench {
   Editor editor{{}};
   double spacing = 10.0;
-  AnnotationDesk annotations{editor};
+  AnnotationEditor annotations{editor};
   ToolContext context{editor, annotations, spacing, [](const Error&) {}};
   Canvas canvas{context};
 

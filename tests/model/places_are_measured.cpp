@@ -18,7 +18,7 @@ using Words = std::vector<std::string>;
 struct MeasureBench {
   Editor editor{{}};
   double spacing = 10.0;
-  AnnotationDesk annotations{editor};
+  AnnotationEditor annotations{editor};
   ToolContext context{editor, annotations, spacing, [](const Error&) {}};
   MeasureTool tool{context};
 

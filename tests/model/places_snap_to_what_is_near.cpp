@@ -28,7 +28,7 @@ constexpr Modifiers kCtrl{.ctrl = true};
 
 struct SnapBench {
   Editor editor{[](auto) {}};
-  AnnotationDesk annotations{editor};
+  AnnotationEditor annotations{editor};
   SnapSettings settings{.is_on = true};
   double grid = 0.5;
   Snapper snapper{editor, annotations, settings, [this] { return Snapper::Steps{grid, 0.01}; }};

@@ -4,11 +4,11 @@
 
 #include "core/io/carried_session.h"
 #include "render/figure/writers.h"
-#include "tests/model/desk_bench.h"
+#include "tests/model/files_bench.h"
 
 using namespace mes;
 using mes::test::contents_of;
-using Bench = mes::test::DeskBench;
+using Bench = mes::test::FilesBench;
 
 TEST_CASE("a file of balls is opened, changed and saved to itself") {
   Bench bench;
@@ -18,8 +18,8 @@ TEST_CASE("a file of balls is opened, changed and saved to itself") {
   CHECK(outcome.format == "wpoff");
   CHECK(outcome.balls == 1);
   CHECK(outcome.samples == 0);
-  CHECK(bench.desk.file() == file);
-  CHECK(bench.desk.title() == "a.wpoff");
+  CHECK(bench.files.file() == file);
+  CHECK(bench.files.title() == "a.wpoff");
   CHECK_FALSE(bench.editor.is_modified());
   bench.add_ball();
   CHECK(bench.editor.is_modified());
@@ -37,8 +37,8 @@ TEST_CASE("a document of samples and balls counts as modified until both have a 
   REQUIRE(bench.save());
   CHECK(contents_of(samples) == "POFF 1 0 0\n5 6\n");
   CHECK(bench.editor.is_modified());
-  CHECK_FALSE(bench.desk.unsaved().samples);
-  CHECK(bench.desk.unsaved().balls);
+  CHECK_FALSE(bench.files.unsaved().samples);
+  CHECK(bench.files.unsaved().balls);
 
   const auto balls = bench.folder / "b.WPOFF";
   REQUIRE(bench.save_as(balls));
@@ -49,8 +49,8 @@ TEST_CASE("a document of samples and balls counts as modified until both have a 
   // From now on one save writes both.
   bench.add_sample();
   bench.add_ball();
-  CHECK(bench.desk.unsaved().samples);
-  CHECK(bench.desk.unsaved().balls);
+  CHECK(bench.files.unsaved().samples);
+  CHECK(bench.files.unsaved().balls);
   REQUIRE(bench.save());
   CHECK(contents_of(samples) == "POFF 2 0 0\n5 6\n7 8\n");
   CHECK(contents_of(balls) == "WPOFF 2 0 0\n1 2 3\n1 2 3\n");
@@ -61,7 +61,7 @@ TEST_CASE("a document of samples and balls counts as modified until both have a 
   REQUIRE(bench.save_as(bench.folder / "copy.poff"));
   CHECK(contents_of(balls) == "WPOFF 2 0 0\n1 2 3\n1 2 3\n");
   CHECK(bench.editor.is_modified());
-  CHECK(bench.desk.sample_file() == bench.folder / "copy.poff");
+  CHECK(bench.files.sample_file() == bench.folder / "copy.poff");
   bench.editor.undo();
   CHECK(bench.is_complete());
 }
@@ -71,11 +71,11 @@ TEST_CASE("annotations count as unsaved until a session holds them") {
   const auto samples = bench.folder.write("a.poff", "POFF 1 0 0\n5 6\n");
   REQUIRE_FALSE(bench.open(samples).error);
   REQUIRE(bench.editor.annotate({{.text = "here", .anchors = {{.at = {5, 6}, .samples = {0}}}}}, "Annotate"));
-  CHECK(bench.desk.unsaved().annotations);
-  CHECK_FALSE(bench.desk.unsaved().samples);
+  CHECK(bench.files.unsaved().annotations);
+  CHECK_FALSE(bench.files.unsaved().samples);
   REQUIRE(bench.save());
   CHECK(bench.editor.is_modified());
-  CHECK(bench.desk.unsaved().annotations);
+  CHECK(bench.files.unsaved().annotations);
   const auto session = bench.folder / "a.json";
   REQUIRE(bench.save_as(session));
   CHECK_FALSE(bench.editor.is_modified());
@@ -87,9 +87,9 @@ TEST_CASE("annotations count as unsaved until a session holds them") {
   REQUIRE(bench.editor.annotate({}, "Delete annotation"));
   REQUIRE(bench.save_as(bench.folder / "b.poff"));
   CHECK(bench.editor.is_modified());
-  CHECK(bench.desk.unsaved().annotations);
+  CHECK(bench.files.unsaved().annotations);
   bench.editor.undo();
-  CHECK_FALSE(bench.desk.unsaved().annotations);
+  CHECK_FALSE(bench.files.unsaved().annotations);
 }
 
 TEST_CASE("samples added to a file of balls are not lost in it") {
@@ -99,7 +99,7 @@ TEST_CASE("samples added to a file of balls are not lost in it") {
   bench.add_sample();
   REQUIRE(bench.save());
   CHECK(bench.editor.is_modified());
-  CHECK(bench.desk.unsaved().samples);
+  CHECK(bench.files.unsaved().samples);
   CHECK(bench.folder.file_count() == 1);
   REQUIRE(bench.save_as(bench.folder / "a.poff"));
   CHECK_FALSE(bench.editor.is_modified());
@@ -113,8 +113,8 @@ TEST_CASE("a file that cannot be written leaves the files as they were chosen be
   const auto saved = bench.save_as(bench.folder / "no such folder" / "b.wpoff");
   REQUIRE_FALSE(saved);
   CHECK(saved.error().code == ErrorCode::cannot_write);
-  CHECK(bench.desk.ball_file() == balls);
-  CHECK(bench.desk.file() == balls);
+  CHECK(bench.files.ball_file() == balls);
+  CHECK(bench.files.file() == balls);
   CHECK(bench.editor.is_modified());
 }
 
@@ -122,14 +122,14 @@ TEST_CASE("opening and starting anew forget both files") {
   Bench bench;
   REQUIRE_FALSE(bench.open(bench.folder.write("a.wpoff", "WPOFF 1 0 0\n0 0 2\n")).error);
   REQUIRE_FALSE(bench.open(bench.folder.write("a.csv", "x,y\n1,2\n")).error);
-  CHECK(bench.desk.file().empty());
-  CHECK(bench.desk.ball_file().empty());
+  CHECK(bench.files.file().empty());
+  CHECK(bench.files.ball_file().empty());
   CHECK(bench.editor.document().ball_count() == 0);
   CHECK(bench.is_complete());
   REQUIRE_FALSE(bench.open(bench.folder / "a.wpoff").error);
-  bench.desk.start_empty();
-  CHECK(bench.desk.file().empty());
-  CHECK(bench.desk.ball_file().empty());
+  bench.files.start_empty();
+  CHECK(bench.files.file().empty());
+  CHECK(bench.files.ball_file().empty());
   CHECK(bench.editor.document().is_empty());
   CHECK_FALSE(bench.editor.is_modified());
 }
@@ -146,8 +146,8 @@ TEST_CASE("a file of samples and one of balls are one document again") {
     CHECK(outcome.left_out == 0);
     CHECK(bench.editor.document().sample_count() == 1);
     CHECK(bench.editor.document().ball_count() == 1);
-    CHECK(bench.desk.sample_file() == samples);
-    CHECK(bench.desk.ball_file() == balls);
+    CHECK(bench.files.sample_file() == samples);
+    CHECK(bench.files.ball_file() == balls);
     CHECK_FALSE(bench.editor.is_modified());
   }
   // What the first brought is not replaced by the next.
@@ -168,7 +168,7 @@ TEST_CASE("a file of samples and one of balls are one document again") {
   REQUIRE(missing.error);
   CHECK(missing.error->file == (bench.folder / "missing.wpoff").string());
   CHECK(bench.editor.document().digest() == digest);
-  CHECK(bench.desk.sample_file() == samples);
+  CHECK(bench.files.sample_file() == samples);
 }
 
 TEST_CASE("a bad file of balls leaves the document as it is") {
@@ -179,7 +179,7 @@ TEST_CASE("a bad file of balls leaves the document as it is") {
   REQUIRE(outcome.error);
   CHECK(outcome.error->line == 2);
   CHECK(bench.editor.document().ball_count() == 1);
-  CHECK(bench.desk.file() == good);
+  CHECK(bench.files.file() == good);
 }
 
 TEST_CASE("a session holds samples, balls and what can be undone") {
@@ -190,15 +190,15 @@ TEST_CASE("a session holds samples, balls and what can be undone") {
   const auto file = bench.folder.path() / "a.json";
   REQUIRE(bench.save_as(file));
   CHECK_FALSE(bench.editor.is_modified());
-  CHECK(bench.desk.title() == "a.json");
+  CHECK(bench.files.title() == "a.json");
   bench.add_ball();
-  CHECK(bench.desk.unsaved().samples);
+  CHECK(bench.files.unsaved().samples);
   REQUIRE(bench.save());
   CHECK(bench.is_complete());
   const std::uint64_t digest = bench.editor.document().digest();
 
-  bench.desk.start_empty();
-  CHECK_FALSE(bench.desk.has_session_file());
+  bench.files.start_empty();
+  CHECK_FALSE(bench.files.has_session_file());
   const auto outcome = bench.open(file);
   REQUIRE_FALSE(outcome.error);
   REQUIRE(outcome.session != nullptr);
@@ -206,7 +206,7 @@ TEST_CASE("a session holds samples, balls and what can be undone") {
   CHECK(outcome.balls == 2);
   CHECK(bench.editor.document().digest() == digest);
   CHECK_FALSE(bench.editor.is_modified());
-  CHECK(bench.desk.file() == file);
+  CHECK(bench.files.file() == file);
   bench.editor.undo();
   bench.editor.undo();
   CHECK(bench.editor.document().ball_count() == 0);
@@ -214,8 +214,8 @@ TEST_CASE("a session holds samples, balls and what can be undone") {
 
   // The samples alone are saved: what a session held besides counts as unsaved.
   REQUIRE(bench.save_as(bench.folder.path() / "b.poff"));
-  CHECK_FALSE(bench.desk.has_session_file());
-  CHECK_FALSE(bench.desk.unsaved().samples);
+  CHECK_FALSE(bench.files.has_session_file());
+  CHECK_FALSE(bench.files.unsaved().samples);
 }
 
 TEST_CASE("a session that cannot be written leaves file, title and mark as they were") {
@@ -224,8 +224,8 @@ TEST_CASE("a session that cannot be written leaves file, title and mark as they 
   REQUIRE_FALSE(bench.open(file).error);
   bench.add_sample();
   CHECK_FALSE(bench.save_as(bench.folder.path() / "no" / "such" / "folder" / "a.json"));
-  CHECK(bench.desk.file() == file);
-  CHECK(bench.desk.title() == "a.poff");
+  CHECK(bench.files.file() == file);
+  CHECK(bench.files.title() == "a.poff");
   CHECK(bench.editor.is_modified());
   REQUIRE(bench.save());
   CHECK(contents_of(file) == "POFF 2 0 0\n5 6\n7 8\n");
@@ -236,7 +236,7 @@ TEST_CASE("what is edited while a file is written stays unsaved") {
   const auto file = bench.folder.write("a.poff", "POFF 1 0 0\n5 6\n");
   REQUIRE_FALSE(bench.open(file).error);
   bench.add_sample();
-  bench.desk.save();
+  bench.files.save();
   bench.add_sample();
   REQUIRE(bench.saved());
   CHECK(bench.editor.is_modified());
@@ -246,13 +246,13 @@ TEST_CASE("what is edited while a file is written stays unsaved") {
   CHECK(bench.is_complete());
 }
 
-TEST_CASE("a second save waits for the first, and the end of the desk for both") {
+TEST_CASE("a second save waits for the first, and the destructor for both") {
   const test::TemporaryFolder folder;
   {
     Bench bench;
     for (int i = 0; i < 20; ++i) {
       bench.add_sample();
-      bench.desk.save_as(folder / ("file" + std::to_string(i) + ".poff"));
+      bench.files.save_as(folder / ("file" + std::to_string(i) + ".poff"));
     }
   }
   for (int i = 0; i < 20; ++i)
@@ -263,13 +263,13 @@ TEST_CASE("a save that ends after something else was opened marks nothing of it"
   Bench bench;
   REQUIRE_FALSE(bench.open(bench.folder.write("a.poff", "POFF 1 0 0\n5 6\n")).error);
   bench.add_sample();
-  bench.desk.save_as(bench.folder / "b.json");
-  bench.desk.start_empty();
+  bench.files.save_as(bench.folder / "b.json");
+  bench.files.start_empty();
   bench.add_sample();
   REQUIRE(bench.saved());
   CHECK(bench.editor.is_modified());
-  CHECK(bench.desk.title() == "Untitled");
-  CHECK(bench.desk.file().empty());
+  CHECK(bench.files.title() == "Untitled");
+  CHECK(bench.files.file().empty());
 }
 
 TEST_CASE("a session that another window has saved is not overwritten, and the difference is shown") {
@@ -285,8 +285,8 @@ TEST_CASE("a session that another window has saved is not overwritten, and the d
   const std::string theirs = contents_of(file);
 
   bench.add_ball();
-  bench.desk.save();
-  auto saved = bench.desk.finish_saving();
+  bench.files.save();
+  auto saved = bench.files.finish_saving();
   REQUIRE(saved);
   REQUIRE(saved->conflict);
   CHECK_FALSE(saved->error);
@@ -299,11 +299,11 @@ TEST_CASE("a session that another window has saved is not overwritten, and the d
   // It was changed once more before the answer.
   other.add_ball();
   REQUIRE(other.save());
-  bench.desk.overwrite(*saved->conflict);
-  saved = bench.desk.finish_saving();
+  bench.files.overwrite(*saved->conflict);
+  saved = bench.files.finish_saving();
   REQUIRE(saved->conflict);
   CHECK(saved->conflict->theirs == Holdings{3, 2, 5});
-  bench.desk.overwrite(*saved->conflict);
+  bench.files.overwrite(*saved->conflict);
   REQUIRE(bench.saved());
   CHECK_FALSE(bench.editor.is_modified());
 
@@ -311,8 +311,8 @@ TEST_CASE("a session that another window has saved is not overwritten, and the d
   bench.add_sample();
   REQUIRE(bench.save());
   other.add_sample();
-  other.desk.save();
-  CHECK(other.desk.finish_saving()->conflict);
+  other.files.save();
+  CHECK(other.files.finish_saving()->conflict);
   REQUIRE(other.save_as(other.folder / "b.json"));
   CHECK_FALSE(other.editor.is_modified());
   other.add_sample();
@@ -327,13 +327,13 @@ TEST_CASE("of two files none is written while there is a question about the othe
   bench.add_sample();
   bench.add_ball();
   bench.folder.write("a.wpoff", "WPOFF 2 0 0\n0 0 2\n0 0 3\n");
-  bench.desk.save();
-  const auto saved = bench.desk.finish_saving();
+  bench.files.save();
+  const auto saved = bench.files.finish_saving();
   REQUIRE(saved->conflict);
   CHECK(saved->conflict->file == balls);
   CHECK(saved->conflict->theirs == Holdings{0, 2});
   CHECK(contents_of(samples) == "POFF 1 0 0\n5 6\n");
-  bench.desk.overwrite(*saved->conflict);
+  bench.files.overwrite(*saved->conflict);
   REQUIRE(bench.saved());
   CHECK(contents_of(samples) == "POFF 2 0 0\n5 6\n7 8\n");
   CHECK(contents_of(balls) == "WPOFF 2 0 0\n0 0 2\n1 2 3\n");
@@ -349,19 +349,19 @@ TEST_CASE("a file that is gone is written anew, and one that is something else n
   CHECK(contents_of(file) == "POFF 1 0 0\n5 6\n");
 
   bench.folder.write("a.poff", "no samples at all");
-  bench.desk.save();
-  auto saved = bench.desk.finish_saving();
+  bench.files.save();
+  auto saved = bench.files.finish_saving();
   REQUIRE(saved->conflict);
   CHECK_FALSE(saved->conflict->theirs);
   CHECK_FALSE(saved->conflict->problem.empty());
 
   std::filesystem::remove(file);
   std::filesystem::create_directory(file);
-  bench.desk.save();
-  saved = bench.desk.finish_saving();
+  bench.files.save();
+  saved = bench.files.finish_saving();
   REQUIRE(saved->conflict);
-  bench.desk.overwrite(*saved->conflict);
-  saved = bench.desk.finish_saving();
+  bench.files.overwrite(*saved->conflict);
+  saved = bench.files.finish_saving();
   REQUIRE(saved->error);
   CHECK_THAT(saved->error->message(), Catch::Contains("Is a directory"));
 }
@@ -378,12 +378,12 @@ TEST_CASE("a document from a picture has no file yet, and the picture stays as i
   REQUIRE_FALSE(outcome.error);
   CHECK(outcome.session != nullptr);
   CHECK(outcome.samples == 3);
-  CHECK(bench.desk.title() == "a.svg");
-  CHECK(bench.desk.file().empty());
-  CHECK_FALSE(bench.desk.has_session_file());
+  CHECK(bench.files.title() == "a.svg");
+  CHECK(bench.files.file().empty());
+  CHECK_FALSE(bench.files.has_session_file());
   bench.add_sample();
   const auto session = bench.folder / "a.json";
   REQUIRE(bench.save_as(session));
-  CHECK(bench.desk.file() == session);
+  CHECK(bench.files.file() == session);
   CHECK(contents_of(picture) == bytes);
 }

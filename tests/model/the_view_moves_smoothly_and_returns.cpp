@@ -11,7 +11,7 @@ namespace {
 struct ViewBench {
   Editor editor{{}};
   double spacing = 10.0;
-  AnnotationDesk annotations{editor};
+  AnnotationEditor annotations{editor};
   ToolContext context{editor, annotations, spacing, {}};
   Canvas canvas{context};
   ViewMotion& view = canvas.view();

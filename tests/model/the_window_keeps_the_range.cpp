@@ -17,7 +17,7 @@ struct RangeBench {
   Editor editor{{}};
   double spacing = 10.0;
   std::vector<std::string> refused;
-  AnnotationDesk annotations{editor};
+  AnnotationEditor annotations{editor};
   ToolContext context{editor, annotations, spacing, [this](const Error& error) { refused.push_back(error.text); }};
 
   explicit RangeBench(const SampleData& data = {{{1.0, 2.0}, {-3.0, 0.0}}, {}, {{{1.0, 1.0}, 0.5}}}) {

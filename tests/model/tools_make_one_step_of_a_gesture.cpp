@@ -19,7 +19,7 @@ struct ToolBench {
   Editor editor{{}};
   double spacing = 10.0;
   int refused = 0;
-  AnnotationDesk annotations{editor};
+  AnnotationEditor annotations{editor};
   ToolContext context{editor, annotations, spacing, [this](const Error&) { ++refused; }};
 
   // Samples in a row, 40 pixels apart, beginning at pixel (100, 100).

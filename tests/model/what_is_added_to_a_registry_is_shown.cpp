@@ -21,8 +21,8 @@
 #include "app/playing/player.h"
 #include "app/playing/session_evolution.h"
 #include "app/store/bundles.h"
+#include "app/store/document_files.h"
 #include "app/store/file_conflict.h"
-#include "app/store/file_desk.h"
 #include "app/store/lessons.h"
 #include "app/store/trace_job.h"
 #include "core/builtins/builtins.h"
@@ -226,13 +226,13 @@ TEST_CASE("files and pasted text are read by the formats of the present registry
   LiveRegistry registry{builtins()};
   Bell bell;
   Editor editor{{}};
-  FileDesk files(
+  DocumentFiles files(
       registry, editor, [] { return Session(); }, bell.ring());
   SelectionCommands commands(registry, editor);
   TraceJob tracing(registry, bell.ring());
   const auto opened = [&] {
     files.open(file);
-    std::optional<FileDesk::Outcome> outcome;
+    std::optional<DocumentFiles::Outcome> outcome;
     bell.wait_until([&] { return (outcome = files.poll()).has_value(); });
     return !outcome->error;
   };

@@ -4,11 +4,11 @@
 #pragma once
 
 #include "app/canvas/tools/tool.h"
-#include "app/editing/annotation_desk.h"
+#include "app/editing/annotation_editor.h"
 
 namespace mes {
 
-/// Guarantees: a drag of an annotation is one step of undo. A click on one chooses it on the desk, where its text is
+/// Guarantees: a drag of an annotation is one step of undo. A click on one chooses it in the editor, where its text is
 /// edited. Ends and lines attach to the element under the pointer, a sample or a Voronoi vertex, and follow it.
 class AnnotateTool final : public Tool {
  public:

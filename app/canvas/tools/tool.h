@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "app/actions/key_chord.h"
-#include "app/editing/annotation_desk.h"
+#include "app/editing/annotation_editor.h"
 #include "app/editing/brush_settings.h"
 #include "app/editing/editor.h"
 #include "app/editing/selection_frame.h"
@@ -40,7 +40,7 @@ struct ChosenThing {
 /// The objects that a tool works with. They all outlive the tool.
 struct ToolContext {
   Editor& editor;
-  AnnotationDesk& annotations;
+  AnnotationEditor& annotations;
   const double& spray_spacing_px;
   std::function<void(const Error&)> report;         ///< called when a command is refused
   std::function<void(const Pointer&)> ask_about{};  ///< called to ask what lies there and where it comes from

@@ -4,7 +4,7 @@
 
 #include "app/actions/action_bindings.h"
 #include "app/picture/picture.h"
-#include "app/recording/record_desk.h"
+#include "app/recording/window_recorder.h"
 #include "app/ui/gui.h"
 
 namespace mes {
@@ -12,7 +12,7 @@ namespace mes {
 struct RecordPopup {
   const Gui& gui;
   const ActionBindings& actions;
-  const RecordDesk& record;
+  const WindowRecorder& record;
   const Picture& picture;
   RecordSettings& settings;
 

@@ -4,11 +4,11 @@
 
 #include "app/actions/action_bindings.h"
 #include "app/editing/update_hold.h"
-#include "app/experiments/experiment_desk.h"
+#include "app/experiments/experiment_list.h"
 #include "app/insight/parameter_sweep.h"
 #include "app/recording/lesson_export.h"
-#include "app/recording/record_desk.h"
-#include "app/store/file_desk.h"
+#include "app/recording/window_recorder.h"
+#include "app/store/document_files.h"
 #include "app/ui/gui.h"
 #include "core/engine/engine.h"
 
@@ -18,12 +18,12 @@ struct WorkInProgress {
   const Gui& gui;
   const ActionBindings& actions;
   const Engine& engine;
-  FileDesk& files;
-  RecordDesk& record;
+  DocumentFiles& files;
+  WindowRecorder& record;
   LessonExport& lesson;
   const UpdateHold& hold;
   SweepJob& sweep;
-  const ExperimentDesk& experiments;
+  const ExperimentList& experiments;
 
   /// Draws a red dot and the number of frames during a recording.
   void draw_recording() const;

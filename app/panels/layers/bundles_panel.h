@@ -8,7 +8,7 @@
 
 #include "app/actions/action_bindings.h"
 #include "app/actions/messages.h"
-#include "app/store/bundle_desk.h"
+#include "app/store/window_bundles.h"
 #include "app/ui/name_field.h"
 #include "app/ui/widgets.h"
 
@@ -19,7 +19,7 @@ class BundlesPanel {
   struct Uses {
     const Gui& gui;
     const ActionBindings& actions;
-    BundleDesk& bundles;
+    WindowBundles& bundles;
     Messages& messages;
     std::function<void(std::size_t)> choose;      ///< shows a bundle
     std::function<void(std::size_t)> export_one;  ///< asks for a file

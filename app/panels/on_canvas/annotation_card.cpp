@@ -111,14 +111,14 @@ void AnnotationCard::draw_look(const Gui& gui, Annotation& annotation) {
   tooltip(gui, "Colour of text and lines");
 }
 
-void AnnotationCard::draw(const Gui& gui, AnnotationDesk& desk, ImVec2 beside, const ImVec2 (&room)[2],
+void AnnotationCard::draw(const Gui& gui, AnnotationEditor& annotations, ImVec2 beside, const ImVec2 (&room)[2],
                           const std::function<void(const Error&)>& report) {
-  desk.follow();
-  const Annotation* const current = desk.current();
+  annotations.follow();
+  const Annotation* const current = annotations.current();
   if (current == nullptr) return;
   const float unit = gui.unit();
-  const bool is_new = desk.choice_number() != choice_number_;
-  choice_number_ = desk.choice_number();
+  const bool is_new = annotations.choice_number() != choice_number_;
+  choice_number_ = annotations.choice_number();
   const ImVec2 size{(kAnnotationWidth + 24) * unit, 150 * unit};
   if (is_new) {
     // The card goes below the text, or above it if there is no room below.
@@ -147,9 +147,9 @@ void AnnotationCard::draw(const Gui& gui, AnnotationDesk& desk, ImVec2 beside, c
   const auto check = [&](const Expected<void>& done) {
     if (!done) report(done.error());
   };
-  if (changed != *current) check(desk.change(std::move(changed)));
-  if (is_erased) check(desk.erase());
-  if (is_closed) desk.close();
+  if (changed != *current) check(annotations.change(std::move(changed)));
+  if (is_erased) check(annotations.erase());
+  if (is_closed) annotations.close();
 }
 
 }  // namespace mes

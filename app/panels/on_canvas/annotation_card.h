@@ -6,7 +6,7 @@
 #include <functional>
 #include <string>
 
-#include "app/editing/annotation_desk.h"
+#include "app/editing/annotation_editor.h"
 #include "app/ui/gui.h"
 
 namespace mes {
@@ -17,7 +17,7 @@ class AnnotationCard {
  public:
   /// `beside`: the point to keep free, in screen coordinates. The card stays within `room`, given by its low and high
   /// corner.
-  void draw(const Gui& gui, AnnotationDesk& desk, ImVec2 beside, const ImVec2 (&room)[2],
+  void draw(const Gui& gui, AnnotationEditor& annotations, ImVec2 beside, const ImVec2 (&room)[2],
             const std::function<void(const Error&)>& report);
 
  private:

@@ -30,7 +30,7 @@ void CanvasAnnotations::draw_frames(const AnnotationDrawing& drawn, std::optiona
                  3.0F * unit, 0, width * unit);
   };
   if (pointed_at) frame(*pointed_at, 1.0F);
-  if (desk.current() != nullptr && desk.selected()) frame(*desk.selected(), 2.0F);
+  if (annotations.current() != nullptr && annotations.selected()) frame(*annotations.selected(), 2.0F);
 }
 
 }  // namespace mes

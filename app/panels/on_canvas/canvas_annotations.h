@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "app/editing/annotation_desk.h"
+#include "app/editing/annotation_editor.h"
 #include "app/panels/on_canvas/pane_part.h"
 #include "app/picture/annotation_drawing.h"
 #include "app/ui/gui.h"
@@ -15,7 +15,7 @@ struct CanvasAnnotations {
   const Gui& gui;
   double content_scale = 1.0;  ///< framebuffer pixels per logical pixel
   const Document& document;    ///< the document of the pane
-  const AnnotationDesk& desk;
+  const AnnotationEditor& annotations;
   Rgb background;
   PanePart pane;
 

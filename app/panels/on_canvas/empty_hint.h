@@ -5,7 +5,7 @@
 #include "app/actions/action_bindings.h"
 #include "app/canvas/canvas.h"
 #include "app/picture/picture.h"
-#include "app/store/file_desk.h"
+#include "app/store/document_files.h"
 #include "app/ui/gui.h"
 
 namespace mes {
@@ -14,7 +14,7 @@ struct EmptyHint {
   const Gui& gui;
   const ActionBindings& actions;
   const Document& document;
-  const FileDesk& files;
+  const DocumentFiles& files;
   const Picture& picture;
   const Canvas& canvas;
 

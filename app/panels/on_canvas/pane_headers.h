@@ -11,7 +11,7 @@
 #include "app/panes/pane_list.h"
 #include "app/panes/pane_places.h"
 #include "app/playing/evolution_player.h"
-#include "app/store/bundle_desk.h"
+#include "app/store/window_bundles.h"
 #include "app/ui/gui.h"
 
 namespace mes {
@@ -20,7 +20,7 @@ struct PaneHeaders {
   const Gui& gui;
   const ActionBindings& actions;
   PaneList& panes;
-  const BundleDesk& bundles;
+  const WindowBundles& bundles;
   std::span<const Parameter> parameters;  ///< all existing parameters
   const ComputationSettings& settings;
   const std::vector<std::string>& words;  ///< description of each pane, the main one first

@@ -33,13 +33,13 @@ std::string contents_in_words(const ExperimentContents& contents) {
   return out.empty() ? "nothing" : out;
 }
 
-std::string state_in_words(const ExperimentDesk::Entry& entry) {
+std::string state_in_words(const ExperimentList::Entry& entry) {
   switch (entry.state) {
-    case ExperimentDesk::State::waiting: return "Waiting for its turn";
-    case ExperimentDesk::State::preparing: return "Being compiled";
-    case ExperimentDesk::State::added:
+    case ExperimentList::State::waiting: return "Waiting for its turn";
+    case ExperimentList::State::preparing: return "Being compiled";
+    case ExperimentList::State::added:
       return fmt::format("Adds {} ({:.1f} s)", contents_in_words(entry.contents), entry.seconds);
-    case ExperimentDesk::State::failed: break;
+    case ExperimentList::State::failed: break;
   }
   return entry.contents.is_empty() ? "Adds nothing" : "The previous version stays in use";
 }
@@ -102,7 +102,7 @@ void ExperimentsPanel::draw_message(const CompilerMessage& message) const {
 }
 
 void ExperimentsPanel::draw_entry(std::size_t index) const {
-  const ExperimentDesk::Entry& entry = desk.entries()[index];
+  const ExperimentList::Entry& entry = list.entries()[index];
   const float unit = gui.unit();
   ImGui::PushID(static_cast<int>(index));
   ImGui::PushFont(gui.bold());
@@ -113,7 +113,7 @@ void ExperimentsPanel::draw_entry(std::size_t index) const {
   ImGui::PushFont(gui.small());
   ImGui::TextDisabled("%s", state_in_words(entry).c_str());
   const bool is_explained = std::ranges::any_of(entry.messages, &CompilerMessage::is_error);
-  if (entry.state == ExperimentDesk::State::failed && !is_explained) {
+  if (entry.state == ExperimentList::State::failed && !is_explained) {
     ImGui::PushStyleColor(ImGuiCol_Text, gui.colors().warning);
     paragraph(entry.problem);
     ImGui::PopStyleColor();
@@ -128,7 +128,7 @@ void ExperimentsPanel::draw_entry(std::size_t index) const {
   if (ImGui::SmallButton("Edit")) edit(file, 0);
   tooltip(gui, "Open the source in the editor of the desktop, or the one that VISUAL names");
   ImGui::SameLine(0, 6 * unit);
-  if (ImGui::SmallButton("Reload")) desk.reload(index);
+  if (ImGui::SmallButton("Reload")) list.reload(index);
   tooltip(gui, "Compile and load it again, even if it has not changed");
   ImGui::SameLine(0, 6 * unit);
   if (ImGui::SmallButton("Remove")) is_removed = true;
@@ -136,19 +136,19 @@ void ExperimentsPanel::draw_entry(std::size_t index) const {
   ImGui::PopFont();
   ImGui::Dummy({1, 4 * unit});
   ImGui::PopID();
-  if (is_removed) desk.remove(index);
+  if (is_removed) list.remove(index);
 }
 
 void ExperimentsPanel::draw() const {
   draw_more();
   ImGui::Separator();
   ImGui::BeginChild("experiments");
-  if (desk.entries().empty()) {
+  if (list.entries().empty()) {
     quiet_paragraph(
         "Your own structures, layers, evolutions and shapes, as C++ sources. \"mesecina new structure NAME\" writes "
         "one to start from.");
   }
-  for (std::size_t i = 0; i < desk.entries().size(); ++i) draw_entry(i);
+  for (std::size_t i = 0; i < list.entries().size(); ++i) draw_entry(i);
   ImGui::EndChild();
 }
 

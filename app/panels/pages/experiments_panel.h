@@ -7,14 +7,14 @@
 #include <string>
 #include <vector>
 
-#include "app/experiments/experiment_desk.h"
+#include "app/experiments/experiment_list.h"
 #include "app/ui/gui.h"
 
 namespace mes {
 
 struct ExperimentsPanel {
   const Gui& gui;
-  ExperimentDesk& desk;
+  ExperimentList& list;
   std::vector<std::filesystem::path> examples;  ///< examples that come with the program
   const std::vector<std::string>& recent;
   std::string& compiler;  ///< the compiler in the settings

@@ -34,9 +34,9 @@ void LessonPanel::draw() {
     if (const auto clicked = draw_steps(presenter_.lesson(), presenter_.step(), 0.0F)) go_to_(*clicked);
     return;
   }
-  const std::optional<std::size_t> chosen = desk_.chosen();
-  if (shown_ != desk_.lesson() || caption_of_ != chosen) {
-    shown_ = desk_.lesson();
+  const std::optional<std::size_t> chosen = lesson_editor_.chosen();
+  if (shown_ != lesson_editor_.lesson() || caption_of_ != chosen) {
+    shown_ = lesson_editor_.lesson();
     caption_of_ = chosen;
     title_ = shown_.title;
     caption_ = chosen ? shown_.steps[*chosen].caption : std::string();
@@ -55,7 +55,7 @@ void LessonPanel::draw() {
   const float buttons = ImGui::GetFrameHeightWithSpacing() + 3 * between;
   const float caption = std::max(kLeastOfCaption * unit, kCaptionShare * room);
   const float steps = std::max(kLeastOfSteps * unit, chosen ? room - buttons - caption - between : room);
-  if (const auto clicked = draw_steps(shown_, chosen, steps)) desk_.choose(*clicked);
+  if (const auto clicked = draw_steps(shown_, chosen, steps)) lesson_editor_.choose(*clicked);
   if (chosen) draw_chosen(caption);
 }
 
@@ -74,11 +74,12 @@ void LessonPanel::draw_head() {
   button("Export...", ActionId::export_lesson);
   const float size = ImGui::GetFrameHeight();
   ImGui::SameLine(ImGui::GetContentRegionMax().x - size);
-  if (icon_button("take-back", Icon::undo, size, ButtonLook::plain, desk_.can_take_back())) desk_.take_back();
+  if (icon_button("take-back", Icon::undo, size, ButtonLook::plain, lesson_editor_.can_take_back()))
+    lesson_editor_.take_back();
   tooltip(gui_, "Undo the last change of the lesson");
   ImGui::SetNextItemWidth(-1.0F);
   ImGui::InputTextWithHint("##title", "Title of the lesson", &title_);
-  if (ImGui::IsItemDeactivatedAfterEdit()) desk_.set_title(title_);
+  if (ImGui::IsItemDeactivatedAfterEdit()) lesson_editor_.set_title(title_);
 }
 
 std::optional<std::size_t> LessonPanel::draw_steps(const Lesson& lesson, std::optional<std::size_t> current,
@@ -111,18 +112,18 @@ void LessonPanel::draw_chosen(float height) {
   ImGui::Separator();
   draw_buttons();
   ImGui::InputTextMultiline("##caption", &caption_, {-1.0F, height});
-  if (ImGui::IsItemDeactivatedAfterEdit()) desk_.set_caption(caption_);
+  if (ImGui::IsItemDeactivatedAfterEdit()) lesson_editor_.set_caption(caption_);
   tooltip(gui_, "# Heading, - item, **bold**, *italics*, $\\alpha^2$; an empty line begins a paragraph");
 }
 
 void LessonPanel::draw_buttons() {
   const float unit = gui_.unit();
-  if (ImGui::Button("Mark again")) desk_.mark_again();
+  if (ImGui::Button("Mark again")) lesson_editor_.mark_again();
   tooltip(gui_, "Replace this step by the present state; its caption stays");
   const auto move_button = [&](const char* id, ImGuiDir direction, int places, const char* explanation) {
     ImGui::SameLine(0, 4 * unit);
-    ImGui::BeginDisabled(!desk_.can_move(places));
-    if (ImGui::ArrowButton(id, direction)) desk_.move(places);
+    ImGui::BeginDisabled(!lesson_editor_.can_move(places));
+    if (ImGui::ArrowButton(id, direction)) lesson_editor_.move(places);
     ImGui::EndDisabled();
     tooltip(gui_, explanation);
   };
@@ -130,15 +131,16 @@ void LessonPanel::draw_buttons() {
   move_button("##down", ImGuiDir_Down, 1, "Show this step after the one below");
   ImGui::SameLine(0, 4 * unit);
   if (ImGui::Button("Remove")) {
-    desk_.remove();
+    lesson_editor_.remove();
     return;
   }
-  const std::optional<std::size_t> chosen = desk_.chosen();
+  const std::optional<std::size_t> chosen = lesson_editor_.chosen();
   if (!chosen) return;
   ImGui::SameLine(0, 8 * unit);
   ImGui::SetNextItemWidth(std::max(48 * unit, ImGui::GetContentRegionAvail().x));
-  double seconds = seconds_of(desk_.lesson().steps[*chosen]);
-  if (number_field("##seconds", seconds, "%.3g s", NumberRange{0.0, kLongestLessonStep})) desk_.set_seconds(seconds);
+  double seconds = seconds_of(lesson_editor_.lesson().steps[*chosen]);
+  if (number_field("##seconds", seconds, "%.3g s", NumberRange{0.0, kLongestLessonStep}))
+    lesson_editor_.set_seconds(seconds);
   tooltip(gui_, "Duration in a video; type 0 for the time that its caption takes to read");
 }
 

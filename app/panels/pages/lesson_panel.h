@@ -8,7 +8,7 @@
 #include <string>
 
 #include "app/actions/action_bindings.h"
-#include "app/playing/lesson_desk.h"
+#include "app/playing/lesson_editor.h"
 #include "app/playing/lesson_presenter.h"
 #include "app/ui/gui.h"
 
@@ -18,9 +18,13 @@ namespace mes {
 class LessonPanel {
  public:
   /// `go_to` shows a step of the lesson that is presented.
-  LessonPanel(const Gui& gui, const ActionBindings& actions, LessonDesk& desk, const LessonPresenter& presenter,
-              std::function<void(std::size_t)> go_to)
-      : gui_(gui), actions_(actions), desk_(desk), presenter_(presenter), go_to_(std::move(go_to)) {}
+  LessonPanel(const Gui& gui, const ActionBindings& actions, LessonEditor& lesson_editor,
+              const LessonPresenter& presenter, std::function<void(std::size_t)> go_to)
+      : gui_(gui),
+        actions_(actions),
+        lesson_editor_(lesson_editor),
+        presenter_(presenter),
+        go_to_(std::move(go_to)) {}
 
   void draw();
 
@@ -33,7 +37,7 @@ class LessonPanel {
 
   const Gui& gui_;
   const ActionBindings& actions_;
-  LessonDesk& desk_;
+  LessonEditor& lesson_editor_;
   const LessonPresenter& presenter_;
   std::function<void(std::size_t)> go_to_;
   // The text being typed, and the step that it belongs to.

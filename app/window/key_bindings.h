@@ -12,9 +12,9 @@ namespace mes {
 
 /// Guarantees: the file is read once and never changed; its errors are reported in one message with their lines, and
 /// the rest of it is valid. Threads: the window's.
-class KeyDesk {
+class KeyBindings {
  public:
-  KeyDesk(Settings& settings, Messages& messages);
+  KeyBindings(Settings& settings, Messages& messages);
 
   ActionBindings& actions() { return actions_; }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/window/key_desk.h"
+#include "app/window/key_bindings.h"
 
 #include <fmt/core.h>
 #include <fstream>
@@ -33,12 +33,12 @@ std::optional<std::string> text_of(const std::filesystem::path& path) {
 
 }  // namespace
 
-std::filesystem::path KeyDesk::file() {
+std::filesystem::path KeyBindings::file() {
   const std::filesystem::path folder = config_folder();
   return folder.empty() ? folder : folder / "keys.conf";
 }
 
-KeyDesk::KeyDesk(Settings& settings, Messages& messages) : settings_(settings), messages_(messages) {
+KeyBindings::KeyBindings(Settings& settings, Messages& messages) : settings_(settings), messages_(messages) {
   std::error_code error;
   if (!file().empty() && std::filesystem::exists(file(), error))
     read();
@@ -46,7 +46,7 @@ KeyDesk::KeyDesk(Settings& settings, Messages& messages) : settings_(settings), 
     apply();
 }
 
-void KeyDesk::read() {
+void KeyBindings::read() {
   const std::filesystem::path path = file();
   if (auto text = text_of(path))
     text_ = std::move(*text);
@@ -60,11 +60,11 @@ void KeyDesk::read() {
   messages_.problem(fmt::format("{}: {}. Everything else in it holds.", path.string(), all));
 }
 
-void KeyDesk::apply() {
+void KeyBindings::apply() {
   actions_.set_keymap(read_keymap(chosen(settings_), text_).keymap);
 }
 
-void KeyDesk::write() {
+void KeyBindings::write() {
   const std::filesystem::path path = file();
   std::error_code error;
   if (std::filesystem::exists(path, error)) {
@@ -80,7 +80,7 @@ void KeyDesk::write() {
     messages_.remark("All commands and their keys are in " + path.string());
 }
 
-void KeyDesk::bind() {
+void KeyBindings::bind() {
   actions_.bind(ActionId::classic_keys, {[this] {
                                            settings_.classic_keys = !settings_.classic_keys;
                                            apply();

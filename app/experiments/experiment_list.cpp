@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/experiments/experiment_desk.h"
+#include "app/experiments/experiment_list.h"
 
 #include <algorithm>
 #include <chrono>
@@ -11,10 +11,10 @@
 namespace mes {
 namespace fs = std::filesystem;
 
-ExperimentDesk::ExperimentDesk(ExperimentTools tools, Waker wake)
+ExperimentList::ExperimentList(ExperimentTools tools, Waker wake)
     : tools_(std::move(tools)), job_(wake), watch_(std::move(wake)) {}
 
-Expected<void> ExperimentDesk::add(const fs::path& name) {
+Expected<void> ExperimentList::add(const fs::path& name) {
   const auto files = experiment_files(name);
   if (!files) return std::unexpected(files.error());
   for (const fs::path& file : *files) {
@@ -30,38 +30,38 @@ Expected<void> ExperimentDesk::add(const fs::path& name) {
   return {};
 }
 
-void ExperimentDesk::reload(std::size_t entry) {
+void ExperimentList::reload(std::size_t entry) {
   // The running job may have read the file before it changed.
   if (entries_[entry].file == at_work_) job_.give_up();
   entries_[entry].state = State::waiting;
 }
 
-void ExperimentDesk::remove(std::size_t entry) {
+void ExperimentList::remove(std::size_t entry) {
   if (!entries_[entry].contents.is_empty()) removed_.push_back(std::move(entries_[entry].contents));
   if (entries_[entry].file == at_work_) job_.give_up();
   entries_.erase(entries_.begin() + static_cast<std::ptrdiff_t>(entry));
   watch();
 }
 
-void ExperimentDesk::watch() {
+void ExperimentList::watch() {
   std::vector<fs::path> files;
   for (const Entry& entry : entries_) files.push_back(entry.file);
   watch_.watch(std::move(files));
 }
 
-void ExperimentDesk::take_changed_files() {
+void ExperimentList::take_changed_files() {
   for (const fs::path& file : watch_.take_changed()) {
     const auto entry = std::ranges::find(entries_, file, &Entry::file);
     if (entry != entries_.end()) reload(static_cast<std::size_t>(entry - entries_.begin()));
   }
 }
 
-std::optional<ExperimentDesk::Work> ExperimentDesk::work() const {
+std::optional<ExperimentList::Work> ExperimentList::work() const {
   if (!is_busy()) return {};
   return Work{.file = at_work_, .time = std::chrono::steady_clock::now() - begun_};
 }
 
-void ExperimentDesk::begin_next() {
+void ExperimentList::begin_next() {
   if (job_.is_under_way()) return;
   const auto next = std::ranges::find(entries_, State::waiting, &Entry::state);
   if (next == entries_.end()) return;
@@ -79,7 +79,7 @@ void ExperimentDesk::begin_next() {
 }
 
 // Later experiments may read what this one adds, so they are added again, too.
-std::shared_ptr<const Registry> ExperimentDesk::take(Entry& entry, Prepared prepared, const Registry& present) {
+std::shared_ptr<const Registry> ExperimentList::take(Entry& entry, Prepared prepared, const Registry& present) {
   entry.messages = std::move(prepared.messages);
   entry.seconds = prepared.seconds;
   const auto fail = [&entry](const Error& error) {
@@ -115,7 +115,7 @@ std::shared_ptr<const Registry> ExperimentDesk::take(Entry& entry, Prepared prep
   return out;
 }
 
-std::shared_ptr<const Registry> ExperimentDesk::follow(const Registry& present,
+std::shared_ptr<const Registry> ExperimentList::follow(const Registry& present,
                                                        const std::function<void(const Entry&)>& on_news) {
   // An experiment that reads a removed one leaves with it, and reports that when it is prepared again.
   std::shared_ptr<const Registry> out;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/store/file_desk.h"
+#include "app/store/document_files.h"
 
 #include <algorithm>
 #include <exception>
@@ -44,7 +44,7 @@ Expected<LoadedFile> guarded(const std::string& name, Read read) {
 
 }  // namespace
 
-FileDesk::FileDesk(LiveRegistry registry, Editor& editor, std::function<Session()> session_now, Waker wake)
+DocumentFiles::DocumentFiles(LiveRegistry registry, Editor& editor, std::function<Session()> session_now, Waker wake)
     : registry_(std::move(registry)),
       editor_(editor),
       session_now_(std::move(session_now)),
@@ -52,13 +52,13 @@ FileDesk::FileDesk(LiveRegistry registry, Editor& editor, std::function<Session(
       writing_(std::move(wake)) {
   note_all_as_saved();
 }
-FileDesk::~FileDesk() = default;
+DocumentFiles::~DocumentFiles() = default;
 
-Expected<LoadedFile> FileDesk::read(const fs::path& file, const ReadRequest& request, JobControl& control) {
+Expected<LoadedFile> DocumentFiles::read(const fs::path& file, const ReadRequest& request, JobControl& control) {
   return guarded(file.string(), [&] { return read_sample_file(file, {}, &control, request); });
 }
 
-void FileDesk::read(const Asked& asked, Reading& reading, ReadFiles& out) {
+void DocumentFiles::read(const Asked& asked, Reading& reading, ReadFiles& out) {
   if (asked.recovered) {
     out.outcome.file = "recovered work";
     out.outcome.is_recovered = true;
@@ -90,7 +90,7 @@ void FileDesk::read(const Asked& asked, Reading& reading, ReadFiles& out) {
   prepare(reading, out);
 }
 
-void FileDesk::read_text(const Asked& asked, Reading& reading, ReadFiles& out) {
+void DocumentFiles::read_text(const Asked& asked, Reading& reading, ReadFiles& out) {
   Outcome& outcome = out.outcome;
   outcome.file = asked.title;
   outcome.is_made = true;
@@ -110,7 +110,7 @@ void FileDesk::read_text(const Asked& asked, Reading& reading, ReadFiles& out) {
   prepare(reading, out);
 }
 
-void FileDesk::join(const Asked& asked, std::vector<LoadedFile> files, ReadFiles& out) {
+void DocumentFiles::join(const Asked& asked, std::vector<LoadedFile> files, ReadFiles& out) {
   Outcome& outcome = out.outcome;
   outcome.format = files.front().format;
   if (LoadedFile& first = files.front(); first.session) {
@@ -154,7 +154,7 @@ void FileDesk::join(const Asked& asked, std::vector<LoadedFile> files, ReadFiles
   out.data = std::make_shared<const SampleData>(std::move(data));
 }
 
-void FileDesk::prepare(Reading& reading, ReadFiles& out) {
+void DocumentFiles::prepare(Reading& reading, ReadFiles& out) {
   const auto blame = [&out](Error error) {
     error.file = out.outcome.file.string();
     out.outcome.error = std::move(error);
@@ -179,7 +179,7 @@ void FileDesk::prepare(Reading& reading, ReadFiles& out) {
   }
 }
 
-void FileDesk::begin(Asked asked) {
+void DocumentFiles::begin(Asked asked) {
   cancel_reading();
   note_work(asked);
   asked.registry = registry_.share();
@@ -194,7 +194,7 @@ void FileDesk::begin(Asked asked) {
   });
 }
 
-void FileDesk::note_work(Asked& asked) const {
+void DocumentFiles::note_work(Asked& asked) const {
   asked.work = editor_.work();
   asked.was_modified = editor_.is_modified();
 }
@@ -202,44 +202,44 @@ void FileDesk::note_work(Asked& asked) const {
 // Leaves so many ids free that edits by hand meanwhile, or an evolution that moves samples, cannot use them up. One
 // that adds samples can, so each attempt leaves more, up to a number that takes longer to add than the file takes to
 // read.
-Document FileDesk::start() const {
+Document DocumentFiles::start() const {
   const unsigned bits = std::min(16U + 4U * attempts_, 24U);
   return successor_of(editor_.document(), {.revisions = std::uint64_t{1} << 32U, .ids = std::uint32_t{1} << bits});
 }
 
-void FileDesk::open(const std::vector<fs::path>& files, MapDegrees degrees) {
+void DocumentFiles::open(const std::vector<fs::path>& files, MapDegrees degrees) {
   if (!files.empty()) begin({.files = files, .degrees = degrees});
 }
 
-void FileDesk::open_shape(const fs::path& file, const std::string& title) {
+void DocumentFiles::open_shape(const fs::path& file, const std::string& title) {
   begin({.files = {file}, .title = title});
 }
 
-void FileDesk::open_made(std::shared_ptr<const SampleData> made, const std::string& title,
-                         const std::string& remark) {
+void DocumentFiles::open_made(std::shared_ptr<const SampleData> made, const std::string& title,
+                              const std::string& remark) {
   begin({.title = title, .made = std::move(made), .remark = remark});
 }
 
-void FileDesk::open_text(std::string text, const std::string& title, MapDegrees degrees) {
+void DocumentFiles::open_text(std::string text, const std::string& title, MapDegrees degrees) {
   begin({.title = title, .text = std::make_shared<const std::string>(std::move(text)), .degrees = degrees});
 }
 
-void FileDesk::recover(std::shared_ptr<const Session> work) {
+void DocumentFiles::recover(std::shared_ptr<const Session> work) {
   begin({.recovered = std::move(work)});
 }
 
-void FileDesk::cancel_reading() {
+void DocumentFiles::cancel_reading() {
   reading_.give_up();
   if (held_back_) drop(std::exchange(held_back_, nullptr));
 }
 
-std::string FileDesk::reading_name() const {
+std::string DocumentFiles::reading_name() const {
   if (!is_reading()) return {};
   if (asked_.recovered) return "work that was left";
   return asked_.title.empty() ? asked_.files.front().filename().string() : asked_.title;
 }
 
-double FileDesk::reading_progress() const {
+double DocumentFiles::reading_progress() const {
   if (!is_reading()) return 0.0;
   constexpr double kReplayed = 0.5;  // share of the work after reading
   const double read = asked_.files.empty() ? 0.0 : 0.9;
@@ -256,12 +256,12 @@ double FileDesk::reading_progress() const {
   return progress_->shown = std::max(progress_->shown, all);
 }
 
-bool FileDesk::would_lose_work() const {
+bool DocumentFiles::would_lose_work() const {
   if (!held_back_ || held_back_->outcome.error || !editor_.is_modified()) return false;
   return !asked_.was_modified || editor_.work() != asked_.work;
 }
 
-std::optional<FileDesk::Outcome> FileDesk::poll() {
+std::optional<DocumentFiles::Outcome> DocumentFiles::poll() {
   if (auto ended = reading_.poll()) held_back_ = std::move(*ended);
   if (!held_back_ || would_lose_work()) return std::nullopt;
   ReadFilesPointer read = std::exchange(held_back_, nullptr);
@@ -274,7 +274,7 @@ std::optional<FileDesk::Outcome> FileDesk::poll() {
   return out;
 }
 
-void FileDesk::prepare_again(ReadFilesPointer read) {
+void DocumentFiles::prepare_again(ReadFilesPointer read) {
   ++attempts_;
   read->start = start();
   reading_.begin([read = std::move(read), reading = progress_](const std::stop_token& stop) {
@@ -285,7 +285,7 @@ void FileDesk::prepare_again(ReadFilesPointer read) {
   });
 }
 
-FileDesk::Outcome FileDesk::take_over(ReadFiles& read) {
+DocumentFiles::Outcome DocumentFiles::take_over(ReadFiles& read) {
   const Asked asked = std::exchange(asked_, {});
   Outcome& out = read.outcome;
   if (out.error) return std::move(out);
@@ -307,7 +307,7 @@ FileDesk::Outcome FileDesk::take_over(ReadFiles& read) {
   return std::move(out);
 }
 
-void FileDesk::drop(ReadFilesPointer read) {
+void DocumentFiles::drop(ReadFilesPointer read) {
   try {
     dropping_.begin([what = std::move(read)](const std::stop_token&) mutable {
       what.reset();
@@ -318,12 +318,12 @@ void FileDesk::drop(ReadFilesPointer read) {
   }
 }
 
-FileDesk::Held FileDesk::held_by_files_of(const Document& document) {
+DocumentFiles::Held DocumentFiles::held_by_files_of(const Document& document) {
   return {
       .samples = document.sample_digest(), .balls = document.ball_digest(), .annotations = document.annotations()};
 }
 
-FileDesk::Held FileDesk::held_by_read_files(const ReadFiles& read, const std::string& title) {
+DocumentFiles::Held DocumentFiles::held_by_read_files(const ReadFiles& read, const std::string& title) {
   const Outcome& out = read.outcome;
   if (out.is_recovered || out.is_made) {
     Held none = held_by_files_of(Document());
@@ -341,7 +341,7 @@ FileDesk::Held FileDesk::held_by_read_files(const ReadFiles& read, const std::st
   return after;
 }
 
-void FileDesk::start_empty() {
+void DocumentFiles::start_empty() {
   cancel_reading();
   Held after = held_by_files_of(Document());
   if (!editor_.load({})) return;
@@ -349,28 +349,28 @@ void FileDesk::start_empty() {
   std::swap(held_, after);
 }
 
-void FileDesk::note_known(std::span<const SourceFile> files) {
+void DocumentFiles::note_known(std::span<const SourceFile> files) {
   for (const SourceFile& file : files) held_.known[key_of(file.path)] = file.fingerprint;
 }
 
-void FileDesk::note_all_as_saved() {
+void DocumentFiles::note_all_as_saved() {
   held_.samples = editor_.document().sample_digest();
   held_.balls = editor_.document().ball_digest();
   held_.annotations = editor_.document().annotations();
 }
 
-FileDesk::Unsaved FileDesk::unsaved() const {
+DocumentFiles::Unsaved DocumentFiles::unsaved() const {
   if (has_session_file()) return {.samples = editor_.is_modified()};
   const Document& now = editor_.document();
   return {now.sample_digest() != held_.samples, now.ball_digest() != held_.balls,
           *now.annotations() != *held_.annotations, editor_.is_lesson_modified()};
 }
 
-void FileDesk::save() {
+void DocumentFiles::save() {
   begin_saving(held_);
 }
 
-void FileDesk::save_as(const fs::path& file) {
+void DocumentFiles::save_as(const fs::path& file) {
   Held after = held_;
   after.title = file.filename().string();
   if (is_session_file(file)) {
@@ -385,7 +385,7 @@ void FileDesk::save_as(const fs::path& file) {
   begin_saving(std::move(after));
 }
 
-void FileDesk::overwrite(const FileConflict& conflict) {
+void DocumentFiles::overwrite(const FileConflict& conflict) {
   if (!contested_) return;
   Held after = std::move(*contested_);
   const fs::path key = key_of(conflict.file);
@@ -397,7 +397,7 @@ void FileDesk::overwrite(const FileConflict& conflict) {
 }
 
 // Writes the files of `after` that are new, or all of them if none is new.
-void FileDesk::begin_saving(Held after) {
+void DocumentFiles::begin_saving(Held after) {
   finish_saving();
   contested_.reset();
   Saving saving;
@@ -440,7 +440,7 @@ void FileDesk::begin_saving(Held after) {
   writing_.begin([what = saving_](const std::stop_token&) { return write(*what); });
 }
 
-void FileDesk::write_part(const Saving& saving, const Part& part, Written& out) {
+void DocumentFiles::write_part(const Saving& saving, const Part& part, Written& out) {
   const std::string text = part.text();
   if (part.expected) {
     const auto written = replace_file(part.file, text, *part.expected);
@@ -455,7 +455,7 @@ void FileDesk::write_part(const Saving& saving, const Part& part, Written& out) 
   if (out.is_good() && fs::is_regular_file(part.file, error)) out.files.push_back({part.file, fingerprint_of(text)});
 }
 
-FileDesk::Written FileDesk::write(const Saving& saving) {
+DocumentFiles::Written DocumentFiles::write(const Saving& saving) {
   Written out;
   const fs::path* at = nullptr;
   try {
@@ -477,21 +477,21 @@ FileDesk::Written FileDesk::write(const Saving& saving) {
   return out;
 }
 
-std::string FileDesk::saving_name() const {
+std::string DocumentFiles::saving_name() const {
   return is_saving() ? saving_->after.file.filename().string() : std::string();
 }
 
-std::optional<FileDesk::Saved> FileDesk::poll_saved() {
+std::optional<DocumentFiles::Saved> DocumentFiles::poll_saved() {
   auto written = writing_.poll();
   return written ? std::optional(saved(std::move(*written))) : std::nullopt;
 }
 
-std::optional<FileDesk::Saved> FileDesk::finish_saving() {
+std::optional<DocumentFiles::Saved> DocumentFiles::finish_saving() {
   auto written = writing_.finish();
   return written ? std::optional(saved(std::move(*written))) : std::nullopt;
 }
 
-FileDesk::Saved FileDesk::saved(Written written) {
+DocumentFiles::Saved DocumentFiles::saved(Written written) {
   const std::shared_ptr<const Saving> saving = std::move(saving_);
   Saved out{{}, std::move(written.error), std::move(written.conflict)};
   for (const Part& part : saving->parts) out.files.push_back(part.file);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/recording/record_desk.h"
+#include "app/recording/window_recorder.h"
 
 #include <fmt/core.h>
 #include <algorithm>
@@ -50,8 +50,8 @@ fs::path video_name(const fs::path& take) {
 
 }  // namespace
 
-RecordDesk::RecordDesk(Picture& picture, Messages& messages, std::shared_ptr<const PaperFonts> fonts,
-                       std::function<void()> wake)
+WindowRecorder::WindowRecorder(Picture& picture, Messages& messages, std::shared_ptr<const PaperFonts> fonts,
+                               std::function<void()> wake)
     : picture_(picture),
       messages_(messages),
       fonts_(std::move(fonts)),
@@ -87,7 +87,7 @@ bool shows_panes(const RecordSettings& settings, const PanePlaces& panes) {
 }
 
 /// Sets the size of the drawing on screen, for a drawing without its panels.
-void take_size_of(const RecordDesk::Window& window, RecordSettings& settings) {
+void take_size_of(const WindowRecorder::Window& window, RecordSettings& settings) {
   if (shows_panes(settings, window.panes)) {
     const PaneSheet sheet = sheet_for(window.panes, window.content_scale, settings);
     settings.width = sheet.width;
@@ -101,7 +101,7 @@ void take_size_of(const RecordDesk::Window& window, RecordSettings& settings) {
 
 }  // namespace
 
-void RecordDesk::start(const RecordSettings& settings, const Window& window, const ShownState& now) {
+void WindowRecorder::start(const RecordSettings& settings, const Window& window, const ShownState& now) {
   if (is_recording()) return;
   const auto refuse = [this](const Error& error) { messages_.problem("Cannot record: " + error.message()); };
   if (const auto good = check(settings); !good) return refuse(good.error());
@@ -127,7 +127,7 @@ void RecordDesk::start(const RecordSettings& settings, const Window& window, con
   began_ = std::chrono::steady_clock::now();
 }
 
-void RecordDesk::stop() {
+void WindowRecorder::stop() {
   if (!is_recording()) return;
   while (auto raw = capture_.wait()) hand_on(std::move(*raw));
   recorder_.reset();
@@ -149,14 +149,14 @@ void RecordDesk::stop() {
   });
 }
 
-void RecordDesk::end() {
+void WindowRecorder::end() {
   stop();
   while (auto raw = capture_.wait()) hand_on(std::move(*raw));
   if (const auto done = finished_.finish()) tell_end(*done);
   if (const auto file = written_snapshot_.finish()) tell_snapshot(*file);
 }
 
-void RecordDesk::snapshot(const RecordSettings& settings) {
+void WindowRecorder::snapshot(const RecordSettings& settings) {
   if (const auto good = check(settings); !good)
     messages_.problem("No snapshot: " + good.error().message());
   else {
@@ -165,68 +165,68 @@ void RecordDesk::snapshot(const RecordSettings& settings) {
   }
 }
 
-void RecordDesk::copy(bool all_panes) {
+void WindowRecorder::copy(bool all_panes) {
   snapshot_ = RecordSettings{};
   snapshot_->all_panes = all_panes;
   is_copy_ = true;
 }
 
-void RecordDesk::note_complete(const std::optional<ShownState>& state) {
+void WindowRecorder::note_complete(const std::optional<ShownState>& state) {
   complete_ = state;
   if (recorder_) recorder_->note_complete(state);
 }
 
-bool RecordDesk::holds_input(const ShownState& now, const AtRest& rest, bool is_cancelled) const {
+bool WindowRecorder::holds_input(const ShownState& now, const AtRest& rest, bool is_cancelled) const {
   return recorder_ && recorder_->holds_input(now, rest, is_cancelled);
 }
 
-bool RecordDesk::holds_motion(const ShownState& now) const {
+bool WindowRecorder::holds_motion(const ShownState& now) const {
   return recorder_ && settings_.each_motion && recorder_->change(now) != Change::none;
 }
 
-bool RecordDesk::has_room() const {
+bool WindowRecorder::has_room() const {
   const auto bytes = 4 * static_cast<std::size_t>(settings_.width) * static_cast<std::size_t>(settings_.height);
   const std::size_t wanted = capture_.pending() + 1;
   return writer_->has_room(wanted, wanted * bytes) || (capture_.pending() == 0 && writer_->pending() == 0);
 }
 
-bool RecordDesk::is_frame_due(const Drawn& drawn) const {
+bool WindowRecorder::is_frame_due(const Drawn& drawn) const {
   return recorder_ && recorder_->is_due(drawn.state, drawn.rest) && has_room();
 }
 
-bool RecordDesk::is_snapshot_due(const Drawn& drawn) const {
+bool WindowRecorder::is_snapshot_due(const Drawn& drawn) const {
   return snapshot_ && (complete_ == drawn.state || drawn.is_cancelled);
 }
 
-RecordDesk::Purpose RecordDesk::frame_purpose(const Drawn& drawn) const {
+WindowRecorder::Purpose WindowRecorder::frame_purpose(const Drawn& drawn) const {
   return {.use = Use::frame,
           .info = {name_of(recorder_->change(drawn.state), drawn.editor.timeline().entries()),
                    drawn.editor.document().digest(),
                    std::chrono::duration<double>(std::chrono::steady_clock::now() - began_).count()}};
 }
 
-RecordDesk::Purpose RecordDesk::snapshot_purpose() const {
+WindowRecorder::Purpose WindowRecorder::snapshot_purpose() const {
   Purpose out{.use = use_of_snapshot(), .folder = folder_of(*snapshot_)};
   if (out.use == Use::snapshot && snapshot_->with_source && source_) out.session = source_();
   return out;
 }
 
-void RecordDesk::note_frame(const Drawn& drawn) {
+void WindowRecorder::note_frame(const Drawn& drawn) {
   recorder_->note_captured(drawn.state);
   ++frames_;
 }
 
-bool RecordDesk::ask(const Drawn& drawn, const RecordSettings& settings, const Insets& panels, Purpose purpose) {
+bool WindowRecorder::ask(const Drawn& drawn, const RecordSettings& settings, const Insets& panels, Purpose purpose) {
   return shows_panes(settings, drawn.panes.places) && fonts_ ? ask_sheet(drawn, settings, std::move(purpose))
                                                              : ask_one(drawn, settings, panels, std::move(purpose));
 }
 
-bool RecordDesk::refuse(const Purpose& purpose, const std::string& reason) {
+bool WindowRecorder::refuse(const Purpose& purpose, const std::string& reason) {
   messages_.problem((purpose.use == Use::frame ? "Recording ended: " : "No snapshot: ") + reason);
   return false;
 }
 
-bool RecordDesk::ask_sheet(const Drawn& drawn, const RecordSettings& settings, Purpose purpose) {
+bool WindowRecorder::ask_sheet(const Drawn& drawn, const RecordSettings& settings, Purpose purpose) {
   const PanePlace& main = drawn.panes.places.places().front();
   PaneSheet sheet = sheet_for(drawn.panes.places, drawn.content_scale, settings);
   if (sheet.pane_width() < 1 || sheet.pane_height() < 1)
@@ -271,7 +271,8 @@ bool RecordDesk::ask_sheet(const Drawn& drawn, const RecordSettings& settings, P
   return true;
 }
 
-bool RecordDesk::ask_one(const Drawn& drawn, const RecordSettings& settings, const Insets& panels, Purpose purpose) {
+bool WindowRecorder::ask_one(const Drawn& drawn, const RecordSettings& settings, const Insets& panels,
+                             Purpose purpose) {
   const WindowPart part = part_between(panels, drawn.camera.width(), drawn.camera.height());
   const FrameView view = frame_view(drawn.camera, part, drawn.content_scale, settings);
   const Rgb background = settings.background.value_or(picture_.canvas());
@@ -304,13 +305,13 @@ bool RecordDesk::ask_one(const Drawn& drawn, const RecordSettings& settings, con
   return true;
 }
 
-bool RecordDesk::ask_window(const render::PixelRect& all, Purpose purpose) {
+bool WindowRecorder::ask_window(const render::PixelRect& all, Purpose purpose) {
   if (const auto done = capture_.take({}, all); !done) return refuse(purpose, done.error().message());
   asked_.push_back({{}, std::make_shared<CapturedPicture>(), std::make_shared<const Purpose>(std::move(purpose))});
   return true;
 }
 
-void RecordDesk::picture_drawn(const Drawn& drawn) {
+void WindowRecorder::picture_drawn(const Drawn& drawn) {
   if (is_snapshot_due(drawn) && !snapshot_->with_panels) {
     static_cast<void>(ask(drawn, *snapshot_, drawn.panels, snapshot_purpose()));
     snapshot_.reset();
@@ -322,7 +323,7 @@ void RecordDesk::picture_drawn(const Drawn& drawn) {
     stop();
 }
 
-void RecordDesk::panels_drawn(const Drawn& drawn) {
+void WindowRecorder::panels_drawn(const Drawn& drawn) {
   const render::PixelRect all{0, 0, drawn.camera.width(), drawn.camera.height()};
   // More disks may still be on their way to the window.
   if (picture_.is_refining()) return;
@@ -342,7 +343,7 @@ void RecordDesk::panels_drawn(const Drawn& drawn) {
     stop();
 }
 
-void RecordDesk::hand_on(render::RawImage raw) {
+void WindowRecorder::hand_on(render::RawImage raw) {
   Asked asked = std::move(asked_.front());
   asked_.pop_front();
   if (raw.rgba.empty()) return tell_lost(asked, raw);
@@ -358,15 +359,15 @@ void RecordDesk::hand_on(render::RawImage raw) {
 }
 
 // Reports a picture of several panes once.
-void RecordDesk::tell_lost(const Asked& asked, const render::RawImage& raw) {
+void WindowRecorder::tell_lost(const Asked& asked, const render::RawImage& raw) {
   if (lost_ == asked.picture || (asked.purpose->use == Use::frame && has_lost_frame_)) return;
   lost_ = asked.picture;
   has_lost_frame_ = has_lost_frame_ || asked.purpose->use == Use::frame;
   refuse(*asked.purpose, fmt::format("not enough memory for a picture of {}x{} pixels", raw.width, raw.height));
 }
 
-void RecordDesk::write_snapshot(std::shared_ptr<CapturedPicture> picture,
-                                const std::shared_ptr<const Purpose>& purpose) {
+void WindowRecorder::write_snapshot(std::shared_ptr<CapturedPicture> picture,
+                                    const std::shared_ptr<const Purpose>& purpose) {
   if (purpose->folder.empty()) {
     messages_.problem("No snapshot: the home folder is not known; choose a folder for pictures");
     return;
@@ -377,7 +378,7 @@ void RecordDesk::write_snapshot(std::shared_ptr<CapturedPicture> picture,
   });
 }
 
-void RecordDesk::write_copy(std::shared_ptr<CapturedPicture> picture) {
+void WindowRecorder::write_copy(std::shared_ptr<CapturedPicture> picture) {
   written_copy_.begin([picture = std::move(picture)](const std::stop_token& stop) -> Expected<void> {
     const auto png = render::encode_png(std::move(*picture).image(), render::kPngSmall, {});
     if (!png) return std::unexpected(png.error());
@@ -385,20 +386,20 @@ void RecordDesk::write_copy(std::shared_ptr<CapturedPicture> picture) {
   });
 }
 
-void RecordDesk::tell_copy(const Expected<void>& done) {
+void WindowRecorder::tell_copy(const Expected<void>& done) {
   if (done)
     messages_.remark("The picture is on the clipboard");
   else
     messages_.problem("Not copied: " + done.error().message());
 }
 
-bool RecordDesk::follow() {
+bool WindowRecorder::follow() {
   while (auto raw = capture_.poll()) hand_on(std::move(*raw));
   if (writer_ && (writer_->problem() || has_lost_frame_)) stop();
   return take_results();
 }
 
-void RecordDesk::tell_end(const Finished& done) {
+void WindowRecorder::tell_end(const Finished& done) {
   if (done.frames != 0) last_take_ = done.folder;
   if (!done.result)
     messages_.problem("Recording stopped after " + counted_frames(done.frames) + ": " +
@@ -409,14 +410,14 @@ void RecordDesk::tell_end(const Finished& done) {
     messages_.remark("Recorded " + counted_frames(done.frames) + " in " + done.folder.string());
 }
 
-void RecordDesk::tell_snapshot(const Expected<fs::path>& file) {
+void WindowRecorder::tell_snapshot(const Expected<fs::path>& file) {
   if (file)
     messages_.remark("Snapshot in " + file->string());
   else
     messages_.problem("No snapshot: " + file.error().message());
 }
 
-bool RecordDesk::take_results() {
+bool WindowRecorder::take_results() {
   bool has_news = false;
   if (const auto done = finished_.poll()) {
     has_news = true;
@@ -442,7 +443,7 @@ bool RecordDesk::take_results() {
   return has_news;
 }
 
-void RecordDesk::start_video(const RecordSettings& settings) {
+void WindowRecorder::start_video(const RecordSettings& settings) {
   const VideoPace pace = settings.real_time ? VideoPace::real_time : VideoPace::steady;
   if (can_make_video()) video_.start(last_take_, settings.fps, video_name(last_take_), pace);
 }

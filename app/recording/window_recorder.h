@@ -34,15 +34,15 @@ namespace mes {
 ///     say.
 ///
 /// Smallest use, each turn of the window's loop:
-///     if (!desk.holds_input(now, rest, is_cancelled)) deliver_events();
-///     desk.note_complete(...); take_results(); draw_picture();
-///     desk.picture_drawn(what); draw_panels(); desk.panels_drawn(what); desk.follow();
+///     if (!recorder.holds_input(now, rest, is_cancelled)) deliver_events();
+///     recorder.note_complete(...); take_results(); draw_picture();
+///     recorder.picture_drawn(what); draw_panels(); recorder.panels_drawn(what); recorder.follow();
 ///
 /// Threads: the window's, with its OpenGL context current; `wake` is called from others.
-class RecordDesk {
+class WindowRecorder {
  public:
-  RecordDesk(Picture& picture, Messages& messages, std::shared_ptr<const PaperFonts> fonts,
-             std::function<void()> wake);
+  WindowRecorder(Picture& picture, Messages& messages, std::shared_ptr<const PaperFonts> fonts,
+                 std::function<void()> wake);
 
   /// Sets the source of the session that a snapshot carries (core/io/carried_session.h); without it snapshots carry
   /// none.

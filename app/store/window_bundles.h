@@ -16,13 +16,13 @@ namespace mes {
 /// that cannot be written stays in the list and is reported as an error.
 ///
 /// Smallest use:
-///     desk.choose(0);
-///     if (auto saved = desk.save("Lecture 3"); !saved) report(saved.error());
+///     bundles.choose(0);
+///     if (auto saved = bundles.save("Lecture 3"); !saved) report(saved.error());
 ///
 /// Cost: a change writes a small file. Threads: the window's.
-class BundleDesk {
+class WindowBundles {
  public:
-  BundleDesk(std::filesystem::path file, const std::filesystem::path& assets, LayerStack& layers);
+  WindowBundles(std::filesystem::path file, const std::filesystem::path& assets, LayerStack& layers);
 
   std::span<const Bundle> bundles() const { return list_.bundles(); }
   /// The bundle chosen last, if it still exists.

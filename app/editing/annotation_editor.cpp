@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/editing/annotation_desk.h"
+#include "app/editing/annotation_editor.h"
 
 #include <algorithm>
 #include <utility>
@@ -19,7 +19,7 @@ bool is_blank(const Annotation& annotation) {
 
 }  // namespace
 
-Anchor AnnotationDesk::anchor_at(Vec2 p, double reach, bool with_vertices) const {
+Anchor AnnotationEditor::anchor_at(Vec2 p, double reach, bool with_vertices) const {
   const Document& document = editor_.document();
   if (const SampleSlot sample = editor_.index().nearest(p, reach); sample != kNoSlot)
     return {document.position(sample), {document.id(sample).value - document.first_id().value}};
@@ -37,7 +37,7 @@ Anchor AnnotationDesk::anchor_at(Vec2 p, double reach, bool with_vertices) const
 
 // All samples around a vertex are at one distance from it, and none is nearer. Circles far larger than the reach are
 // not searched; where samples are very dense, the reach is smaller.
-std::optional<Anchor> AnnotationDesk::vertex_at(Vec2 p, double reach) const {
+std::optional<Anchor> AnnotationEditor::vertex_at(Vec2 p, double reach) const {
   constexpr double kFarthest = 128.0;
   constexpr std::size_t kMostAround = 400;
   constexpr int kMostHalvings = 4;
@@ -65,7 +65,7 @@ std::optional<Anchor> AnnotationDesk::vertex_at(Vec2 p, double reach) const {
   return std::nullopt;
 }
 
-Expected<void> AnnotationDesk::put(Annotations annotations, const std::string& name, bool continues) {
+Expected<void> AnnotationEditor::put(Annotations annotations, const std::string& name, bool continues) {
   const auto done = editor_.annotate(std::move(annotations), name, continues);
   if (!done) return done;
   seen_ = editor_.document().annotations();
@@ -73,7 +73,7 @@ Expected<void> AnnotationDesk::put(Annotations annotations, const std::string& n
   return done;
 }
 
-Expected<void> AnnotationDesk::begin(Annotation draft) {
+Expected<void> AnnotationEditor::begin(Annotation draft) {
   close();
   ++choice_number_;
   is_new_ = true;
@@ -84,7 +84,7 @@ Expected<void> AnnotationDesk::begin(Annotation draft) {
   return done;
 }
 
-void AnnotationDesk::select(std::size_t i) {
+void AnnotationEditor::select(std::size_t i) {
   close();
   if (i >= editor_.document().annotations()->size()) return;
   ++choice_number_;
@@ -92,13 +92,13 @@ void AnnotationDesk::select(std::size_t i) {
   seen_ = editor_.document().annotations();
 }
 
-const Annotation* AnnotationDesk::current() const {
+const Annotation* AnnotationEditor::current() const {
   if (draft_) return &*draft_;
   if (!selected_ || editor_.document().annotations() != seen_) return nullptr;
   return &(*seen_)[*selected_];
 }
 
-Expected<void> AnnotationDesk::change(Annotation changed) {
+Expected<void> AnnotationEditor::change(Annotation changed) {
   follow();
   if (draft_) {
     draft_ = std::move(changed);
@@ -119,7 +119,7 @@ Expected<void> AnnotationDesk::change(Annotation changed) {
   return put(std::move(all), is_new_ ? kNew : kChange, is_new_ || std::exchange(is_changed_, true));
 }
 
-Expected<void> AnnotationDesk::move(std::size_t i, Annotation moved) {
+Expected<void> AnnotationEditor::move(std::size_t i, Annotation moved) {
   Annotations all = *editor_.document().annotations();
   if (i >= all.size()) return {};
   const bool is_chosen = current() != nullptr && selected_;
@@ -131,7 +131,7 @@ Expected<void> AnnotationDesk::move(std::size_t i, Annotation moved) {
   return done;
 }
 
-Expected<void> AnnotationDesk::erase() {
+Expected<void> AnnotationEditor::erase() {
   follow();
   draft_.reset();
   if (!selected_) return {};
@@ -142,7 +142,7 @@ Expected<void> AnnotationDesk::erase() {
   return done;
 }
 
-bool AnnotationDesk::close() {
+bool AnnotationEditor::close() {
   follow();
   const bool had = current() != nullptr;
   if (selected_ && is_blank((*seen_)[*selected_])) {
@@ -156,13 +156,13 @@ bool AnnotationDesk::close() {
   return had;
 }
 
-void AnnotationDesk::forget() {
+void AnnotationEditor::forget() {
   draft_.reset();
   selected_.reset();
   is_new_ = is_changed_ = false;
 }
 
-void AnnotationDesk::follow() {
+void AnnotationEditor::follow() {
   if (!selected_ || editor_.document().annotations() == seen_) return;
   // An annotation on a deleted sample is still the same annotation.
   const Annotations& now = *editor_.document().annotations();

@@ -21,10 +21,10 @@ namespace mes {
 /// Cost: that of copying the lesson. Threads: none.
 ///
 /// Smallest use:
-///     LessonDesk desk(editor, [&] { return LessonDesk::Look{layers.configuration(), settings, view}; });
-///     desk.mark();
-///     desk.set_caption("# A crust");
-class LessonDesk {
+///     LessonEditor lesson_editor(editor, [&] { return LessonEditor::Look{layers.configuration(), settings, view}; });
+///     lesson_editor.mark();
+///     lesson_editor.set_caption("# A crust");
+class LessonEditor {
  public:
   /// The present layers, settings and view.
   struct Look {
@@ -32,7 +32,7 @@ class LessonDesk {
     ComputationSettings settings;
     Box2 view;
   };
-  LessonDesk(Editor& editor, std::function<Look()> look) : editor_(editor), look_(std::move(look)) {}
+  LessonEditor(Editor& editor, std::function<Look()> look) : editor_(editor), look_(std::move(look)) {}
 
   const Lesson& lesson() const { return editor_.lesson(); }
   /// The step being edited; nothing: none.

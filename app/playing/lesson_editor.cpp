@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/playing/lesson_desk.h"
+#include "app/playing/lesson_editor.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,24 +19,24 @@ std::string beginning_of(const std::string& text, std::size_t bytes) {
 
 }  // namespace
 
-void LessonDesk::follow() {
+void LessonEditor::follow() {
   if (generation_ == editor_.timeline().generation()) return;
   generation_ = editor_.timeline().generation();
   before_.clear();
   chosen_.reset();
 }
 
-std::optional<std::size_t> LessonDesk::chosen() {
+std::optional<std::size_t> LessonEditor::chosen() {
   follow();
   if (chosen_ && *chosen_ >= lesson().steps.size()) chosen_.reset();
   return chosen_;
 }
 
-bool LessonDesk::can_mark() const {
+bool LessonEditor::can_mark() const {
   return !editor_.in_gesture() && !is_full();
 }
 
-LessonStep LessonDesk::moment() {
+LessonStep LessonEditor::moment() {
   LessonStep out{.position = editor_.settle()};
   Look look = look_();
   // Layers that a step does not name are hidden; a step that names none shows the layers of the timeline.
@@ -48,7 +48,7 @@ LessonStep LessonDesk::moment() {
   return out;
 }
 
-void LessonDesk::change(Lesson next) {
+void LessonEditor::change(Lesson next) {
   follow();
   if (next == lesson()) return;
   before_.push_back(lesson());
@@ -56,7 +56,7 @@ void LessonDesk::change(Lesson next) {
   editor_.set_lesson(std::move(next));
 }
 
-void LessonDesk::mark() {
+void LessonEditor::mark() {
   const std::optional<std::size_t> after = chosen();
   Lesson next = lesson();
   const std::size_t at = after ? *after + 1 : next.steps.size();
@@ -65,7 +65,7 @@ void LessonDesk::mark() {
   chosen_ = at;
 }
 
-void LessonDesk::mark_again() {
+void LessonEditor::mark_again() {
   const auto step = chosen();
   if (!step || editor_.in_gesture()) return;
   Lesson next = lesson();
@@ -76,13 +76,13 @@ void LessonDesk::mark_again() {
   change(std::move(next));
 }
 
-void LessonDesk::set_title(const std::string& title) {
+void LessonEditor::set_title(const std::string& title) {
   Lesson next = lesson();
   next.title = beginning_of(title, kLongestLessonTitle);
   change(std::move(next));
 }
 
-void LessonDesk::set_caption(const std::string& caption) {
+void LessonEditor::set_caption(const std::string& caption) {
   const auto step = chosen();
   if (!step) return;
   Lesson next = lesson();
@@ -90,7 +90,7 @@ void LessonDesk::set_caption(const std::string& caption) {
   change(std::move(next));
 }
 
-void LessonDesk::set_seconds(double seconds) {
+void LessonEditor::set_seconds(double seconds) {
   const auto step = chosen();
   if (!step || !std::isfinite(seconds)) return;
   Lesson next = lesson();
@@ -98,7 +98,7 @@ void LessonDesk::set_seconds(double seconds) {
   change(std::move(next));
 }
 
-void LessonDesk::remove() {
+void LessonEditor::remove() {
   const auto step = chosen();
   if (!step) return;
   Lesson next = lesson();
@@ -109,14 +109,14 @@ void LessonDesk::remove() {
   change(std::move(next));
 }
 
-bool LessonDesk::can_move(int places) {
+bool LessonEditor::can_move(int places) {
   const auto step = chosen();
   if (!step) return false;
   const auto to = static_cast<std::ptrdiff_t>(*step) + places;
   return to >= 0 && to < static_cast<std::ptrdiff_t>(lesson().steps.size());
 }
 
-void LessonDesk::move(int places) {
+void LessonEditor::move(int places) {
   if (!can_move(places)) return;
   Lesson next = lesson();
   const auto from = next.steps.begin() + static_cast<std::ptrdiff_t>(*chosen_);
@@ -128,12 +128,12 @@ void LessonDesk::move(int places) {
   change(std::move(next));
 }
 
-bool LessonDesk::can_take_back() {
+bool LessonEditor::can_take_back() {
   follow();
   return !before_.empty();
 }
 
-void LessonDesk::take_back() {
+void LessonEditor::take_back() {
   if (!can_take_back()) return;
   editor_.set_lesson(std::move(before_.back()));
   before_.pop_back();

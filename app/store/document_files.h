@@ -39,15 +39,15 @@ namespace mes {
 ///     with a conflict, which `overwrite` resolves.
 ///
 /// Smallest use:
-///     desk.open("a.poff");
-///     ... each frame: if (auto outcome = desk.poll()) show(*outcome);
+///     files.open("a.poff");
+///     ... each frame: if (auto outcome = files.poll()) show(*outcome);
 ///
 /// Threads: the window's; `wake` is called from the reader's.
-class FileDesk {
+class DocumentFiles {
  public:
   /// `session_now` returns the content for a session file. Files are read by the formats of the registry.
-  FileDesk(LiveRegistry registry, Editor& editor, std::function<Session()> session_now, Waker wake);
-  ~FileDesk();
+  DocumentFiles(LiveRegistry registry, Editor& editor, std::function<Session()> session_now, Waker wake);
+  ~DocumentFiles();
 
   /// Begins to read, and gives up a reading under way. Several files are opened together if each adds different data:
   /// a file of samples and a file of balls are one document again. `degrees` applies to maps among them.

@@ -24,7 +24,7 @@ namespace mes {
 ///  3. Experiments are in the registry in the order in which they were added, so that one may read those before it.
 ///
 /// Threads: one; `wake` is called from another.
-class ExperimentDesk {
+class ExperimentList {
  public:
   enum class State : std::uint8_t {
     waiting,    ///< waits to be prepared
@@ -44,7 +44,7 @@ class ExperimentDesk {
     std::size_t versions = 0;                    ///< number of versions added so far
   };
 
-  ExperimentDesk(ExperimentTools tools, Waker wake);
+  ExperimentList(ExperimentTools tools, Waker wake);
 
   /// Sets the compiler for later compilations.
   void use_compiler(const std::string& words) { tools_.compiler = words; }

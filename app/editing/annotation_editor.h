@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The annotation desk: the annotation that the user is working on, and the elements to which its anchors are
-// attached.
+// The annotation that the user is working on, and the elements to which its anchors are attached.
 #pragma once
 
 #include <cstddef>
@@ -22,14 +21,14 @@ namespace mes {
 ///  3. An annotation that would show nothing leaves the document when the choice ends.
 ///
 /// Smallest use:
-///     desk.begin({.kind = AnnotationKind::text, .anchors = {desk.anchor_at(p, reach)}});
-///     Annotation changed = *desk.current(); changed.text = "crust"; desk.change(changed);
-///     desk.close();
+///     annotations.begin({.kind = AnnotationKind::text, .anchors = {annotations.anchor_at(p, reach)}});
+///     Annotation changed = *annotations.current(); changed.text = "crust"; annotations.change(changed);
+///     annotations.close();
 ///
 /// Threads: the window's. Depends on no window and no OpenGL.
-class AnnotationDesk {
+class AnnotationEditor {
  public:
-  explicit AnnotationDesk(Editor& editor) : editor_(editor) {}
+  explicit AnnotationEditor(Editor& editor) : editor_(editor) {}
 
   /// Attaches an anchor to the nearest sample within `reach`, else to the centre of the nearest ball, else to the
   /// Voronoi vertex there (if `with_vertices`, and with at most `kMostSamplesForVertices` samples); else the anchor
@@ -69,10 +68,10 @@ class AnnotationDesk {
   Editor& editor_;
   std::optional<Annotation> draft_;
   std::optional<std::size_t> selected_;
-  std::shared_ptr<const Annotations> seen_;  // the annotations as this desk left them
+  std::shared_ptr<const Annotations> seen_;  // the annotations as this editor left them
   bool is_new_ = false;                      // the choice began as a draft
   bool is_changed_ = false;
-  std::uint64_t revision_ = 0;  // revision of the document after the last change by this desk
+  std::uint64_t revision_ = 0;  // revision of the document after the last change by this annotations
   std::uint64_t choice_number_ = 0;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/store/bundle_desk.h"
+#include "app/store/window_bundles.h"
 
 #include <fmt/core.h>
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace mes {
 
 namespace fs = std::filesystem;
 
-BundleDesk::BundleDesk(fs::path file, const fs::path& assets, LayerStack& layers)
+WindowBundles::WindowBundles(fs::path file, const fs::path& assets, LayerStack& layers)
     : layers_(layers), store_(layers.descriptors(), std::move(file)) {
   StartingBundles starting = read_starting_bundles(layers.descriptors(), assets);
   starting_ = std::move(starting.bundles);
@@ -21,13 +21,13 @@ BundleDesk::BundleDesk(fs::path file, const fs::path& assets, LayerStack& layers
   message_ = loaded.message.empty() ? std::move(starting.message) : std::move(loaded.message);
 }
 
-std::optional<std::size_t> BundleDesk::current() const {
+std::optional<std::size_t> WindowBundles::current() const {
   const Bundle* const found = list_.find(current_.name());
   if (found == nullptr) return std::nullopt;
   return static_cast<std::size_t>(found - list_.bundles().data());
 }
 
-Expected<void> BundleDesk::write() {
+Expected<void> WindowBundles::write() {
   offers_undo_ = true;
   auto written = store_.write(list_.bundles());
   if (!written) return std::unexpected(written.error());
@@ -36,19 +36,19 @@ Expected<void> BundleDesk::write() {
   return {};
 }
 
-void BundleDesk::choose(std::size_t index, const LayerConfiguration& as) {
+void WindowBundles::choose(std::size_t index, const LayerConfiguration& as) {
   current_.choose(list_.bundles()[index].name, as, layers_);
   offers_undo_ = false;
 }
 
-void BundleDesk::replace_layers(const std::function<void()>& replace) {
+void WindowBundles::replace_layers(const std::function<void()>& replace) {
   const bool is_shown = current() && !is_changed();
   replace();
   store_.set_descriptors(layers_.descriptors());
   if (is_shown) current_.note_saved(current_.name(), layers_);
 }
 
-Expected<void> BundleDesk::save(const std::string& name) {
+Expected<void> WindowBundles::save(const std::string& name) {
   auto checked = checked_bundle_name(name);
   if (!checked) return std::unexpected(checked.error());
   if (auto saved = list_.save(*checked, layers_.configuration()); !saved) return saved;
@@ -56,31 +56,31 @@ Expected<void> BundleDesk::save(const std::string& name) {
   return write();
 }
 
-Expected<void> BundleDesk::rename(std::size_t index, const std::string& name) {
+Expected<void> WindowBundles::rename(std::size_t index, const std::string& name) {
   const bool is_current = current() == index;
   if (auto renamed = list_.rename(index, name); !renamed) return renamed;
   if (is_current) current_.note_renamed(list_.bundles()[index].name);
   return write();
 }
 
-Expected<void> BundleDesk::move(std::size_t index, std::size_t to) {
+Expected<void> WindowBundles::move(std::size_t index, std::size_t to) {
   list_.move(index, to);
   return write();
 }
 
-Expected<void> BundleDesk::remove(std::size_t index) {
+Expected<void> WindowBundles::remove(std::size_t index) {
   list_.remove(index);
   return write();
 }
 
-Expected<void> BundleDesk::undo() {
+Expected<void> WindowBundles::undo() {
   list_.undo();
   auto written = write();
   offers_undo_ = false;
   return written;
 }
 
-Expected<std::string> BundleDesk::import(const fs::path& file) {
+Expected<std::string> WindowBundles::import(const fs::path& file) {
   const auto loaded = read_bundle_file(file, known_layers(layers_.descriptors()));
   if (!loaded) return std::unexpected(loaded.error());
   const std::vector<std::string> names = list_.import(loaded->bundles);
@@ -92,13 +92,13 @@ Expected<std::string> BundleDesk::import(const fs::path& file) {
                            : fmt::format("Imported {} bundles", names.size());
 }
 
-Expected<void> BundleDesk::add_starting_set() {
+Expected<void> WindowBundles::add_starting_set() {
   const std::uint64_t before = list_.revision();
   list_.import(starting_);
   return list_.revision() == before ? Expected<void>{} : write();
 }
 
-Expected<void> BundleDesk::export_to(const fs::path& file, std::optional<std::size_t> index) const {
+Expected<void> WindowBundles::export_to(const fs::path& file, std::optional<std::size_t> index) const {
   return write_file_atomically(file, write_bundles(index ? list_.bundles().subspan(*index, 1) : list_.bundles()));
 }
 
