@@ -517,6 +517,14 @@ void Panels::draw_annotation_card(const Sides& sides) {
                         [this](const Error& error) { uses_.messages.problem(error.message()); });
 }
 
+// Measures how much of the drawing lies below a box, in logical pixels from `origin`.
+std::function<std::size_t(const Box2&)> Panels::drawing_below(ImVec2 origin) const {
+  return [this, at = Vec2{origin.x, origin.y}](const Box2& box) {
+    const double unit = uses_.screen.gui.unit();
+    return uses_.board.hidden_by({at + unit * box.low, at + unit * box.high});
+  };
+}
+
 // Draws the scale marks; returns the room left for the legend, in logical pixels.
 MarksPlace Panels::draw_scale_marks(const Sides& sides) {
   const Gui& gui = uses_.screen.gui;
@@ -526,7 +534,7 @@ MarksPlace Panels::draw_scale_marks(const Sides& sides) {
   const double ratio = uses_.screen.window->pixel_ratio();
   const std::string unit = unit_of_lengths(uses_.work.document());
   const MarksPlace marks = CanvasMarks{gui, uses_.board.picture(), {uses_.board.view().camera()}, unit}.draw(
-      uses_.settings.marks, low, high, ratio);
+      uses_.settings.marks, low, high, ratio, drawing_below(low));
   // If all panes have the same scale, one bar is enough.
   const Canvas& canvas = uses_.board.canvas();
   for (std::size_t i = 1; i < canvas.panes().places().size(); ++i) {
@@ -549,16 +557,15 @@ MarksPlace Panels::draw_scale_marks(const Sides& sides) {
 std::optional<Box2> Panels::draw_legend(const Sides& sides, const MarksPlace& marks) {
   if (marks.room.is_empty()) return {};
   const Gui& gui = uses_.screen.gui;
-  const float unit = gui.unit();
   std::optional<PaperPlace>& place = uses_.settings.legend_at;
   const ImVec2 low(sides.left, sides.top);
-  const auto box = CanvasLegend{
-      gui, uses_.board.picture(), uses_.work.layers(),
-      legend_scope(uses_.settings.show_legend, uses_.settings.show_key), [&](const Box2& one) {
-        const Vec2 origin{low.x, low.y};
-        const auto scaled = [&](Vec2 p) { return origin + static_cast<double>(unit) * p; };
-        return uses_.board.hidden_by({scaled(one.low), scaled(one.high)});
-      }}.draw(place, low, marks);
+  const auto [box, lacks_room] =
+      CanvasLegend{gui, uses_.board.picture(), uses_.work.layers(),
+                   legend_scope(uses_.settings.show_legend, uses_.settings.show_key), drawing_below(low)}
+          .draw(place, low, marks);
+  if (lacks_room && !lacks_legend_)
+    uses_.messages.notice("The legend has no room: enlarge the window or show fewer layers.");
+  lacks_legend_ = lacks_room;
   if (!box) return {};
   if (mark_drag_.follow(
           gui, {"##legend-handle", "Drag to move the legend; double click to put it back", low, *box, marks.room},

@@ -2,6 +2,7 @@
 // All panels around and over the canvas, and their positions.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <span>
 
@@ -109,6 +110,7 @@ class Panels {
   void draw_annotation_card(const Sides& sides);
   MarksPlace draw_scale_marks(const Sides& sides);
   std::optional<Box2> draw_legend(const Sides& sides, const MarksPlace& marks);
+  std::function<std::size_t(const Box2&)> drawing_below(ImVec2 origin) const;
   HiddenAdditionsNote hidden_additions_note() const;
   /// How much of the drawing, the legend and the scale bar a box on the screen would hide.
   std::size_t hidden_by(const Box2& box) const;
@@ -141,6 +143,7 @@ class Panels {
   bool were_shown_ = true;  // state before the presentation
   bool was_full_screen_ = false;
   bool presents_lesson_ = false;
+  bool lacks_legend_ = false;  // the legend has no room, which a message has said
   AnnotationCard annotation_card_;
   Presenter presenter_;
   ProblemNote problem_note_;

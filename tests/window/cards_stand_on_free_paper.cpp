@@ -50,3 +50,64 @@ TEST_CASE("the card of an element does not lie on the scale bar where other corn
   // A highlighted ray may cross it; a card would change all of it.
   CHECK(window.screen.settled().changes(kBar, before) < 500);
 }
+
+TEST_CASE("a scale bar leaves its corner when the drawing comes there, and stays where it was dragged") {
+  DrivenProgram window;
+  // No corner of the view has a sample.
+  window.folder.write("diamond.poff", "POFF 4 0 0\n0 -1\n1 0\n0 1\n-1 0\n");
+  std::filesystem::create_directories(window.folder / "config" / "mesecina");
+  window.folder.write("config/mesecina/settings.json", R"({"schema": 1, "show_scale_bar": true})");
+  window.start("diamond.poff");
+  constexpr PixelBox kLowerLeft{56, 725, 300, 768};
+  constexpr PixelBox kLowerRight{690, 725, 936, 768};
+  const auto is_ink = [](Color c) { return c.r < 60 && c.g < 60 && c.b < 70; };
+  const auto bar_in = [&](const PixelBox& where) {
+    const PixelBox box = window.screen.settled().box_of(where, is_ink);
+    return box.right - box.left > 80 ? box : PixelBox{};
+  };
+  // The wheel button moves the view until its lowest sample lies on the bar.
+  const auto move_view = [&](int right, int down) {
+    window.screen.xdotool("mousemove 500 200 mousedown 2");
+    for (int i = 1; i <= 4; ++i)
+      window.screen.xdotool(fmt::format("mousemove {} {}", 500 + right * i / 4, 200 + down * i / 4));
+    window.screen.xdotool("mouseup 2");
+  };
+  const Screenshot fitted = window.drawn();
+  const PixelBox bar = bar_in(kLowerLeft);
+  REQUIRE_FALSE(bar.is_empty());
+  const PixelBox lowest = fitted.box_of({400, 700, 600, 745}, is_ink);
+  REQUIRE_FALSE(lowest.is_empty());
+  move_view(bar.middle()[0] - lowest.middle()[0], bar.middle()[1] - lowest.middle()[1]);
+  CHECK(eventually([&] { return !bar_in(kLowerRight).is_empty(); }));
+  CHECK(bar_in(kLowerLeft).is_empty());
+  // It is dragged back, onto the sample.
+  const PixelBox there = bar_in(kLowerRight);
+  const std::array<int, 2> from{there.middle()[0], there.bottom - 6};
+  window.screen.drag(from, {bar.middle()[0], bar.bottom - 6}, 4);
+  window.screen.xdotool("mouseup 1 mousemove 500 300");
+  CHECK(eventually([&] { return !bar_in(kLowerLeft).is_empty(); }));
+  CHECK(bar_in(kLowerRight).is_empty());
+}
+
+TEST_CASE("a legend that is too large for the canvas is left out, and a message says so") {
+  DrivenProgram window;
+  window.folder.write("house.poff", kHouse);
+  std::filesystem::create_directories(window.folder / "config" / "mesecina");
+  // In this window the legend of one layer has room, and that of four layers has none.
+  window.folder.write(
+      "config/mesecina/settings.json",
+      R"({"schema": 1, "show_key": true, "interface_scale": 2.0, "window_width": 640, "window_height": 480})");
+  window.start("house.poff");
+  const auto letters_on = [](const Screenshot& shot) {
+    const auto is_ink = [](Color c) { return c.r < 60 && c.g < 60 && c.b < 70; };
+    int out = 0;
+    for (int y = 50; y < 420; ++y)
+      for (int x = 205; x < 520; ++x) out += is_ink(shot.at(x, y)) ? 1 : 0;
+    return out;
+  };
+  window.press("1");
+  const int of_legend = letters_on(window.screen.settled());
+  window.press("5");
+  CHECK(eventually([&] { return letters_on(window.screen.shoot()) > 2 * of_legend; }));
+  CHECK(letters_on(window.screen.settled()) < of_legend);
+}

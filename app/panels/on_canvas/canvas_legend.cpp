@@ -15,7 +15,7 @@ constexpr double kMostOfCanvas = 1.0 / 3.0;
 
 }  // namespace
 
-std::optional<Box2> CanvasLegend::draw(const std::optional<PaperPlace>& place, ImVec2 origin,
+CanvasLegend::Drawn CanvasLegend::draw(const std::optional<PaperPlace>& place, ImVec2 origin,
                                        const MarksPlace& marks) const {
   std::vector<LegendEntry> entries = picture.legend(visible_layers(layers), scope);
   for (LegendEntry& entry : entries) entry.scalar = spoken_scalar(entry.scalar);
@@ -28,13 +28,13 @@ std::optional<Box2> CanvasLegend::draw(const std::optional<PaperPlace>& place, I
                     .hides = [this](const Box2& box) { return hides(box) == 0 ? 0U : 1U; },
                     .most_of_room = kMostOfCanvas},
                    picture.canvas());
-  if (legend.drawing.is_empty()) return std::nullopt;
+  if (legend.drawing.is_empty()) return {.lacks_room = legend.lacks_room};
   const float unit = gui.unit();
   // Rounded to whole pixels, because a frame between pixels is blurred.
   paint_on_canvas(gui, legend.drawing,
                   {std::round(origin.x + static_cast<float>(legend.corner.x) * unit),
                    std::round(origin.y + static_cast<float>(legend.corner.y) * unit)});
-  return Box2{legend.corner, legend.corner + Vec2{legend.drawing.width, legend.drawing.height}};
+  return {.box = Box2{legend.corner, legend.corner + Vec2{legend.drawing.width, legend.drawing.height}}};
 }
 
 }  // namespace mes

@@ -22,10 +22,13 @@ struct CanvasLegend {
   /// Returns how much of the drawing a box would hide, in logical pixels from the origin.
   std::function<std::size_t(const Box2&)> hides;
 
+  struct Drawn {
+    std::optional<Box2> box{};  ///< nothing: it has no entries or no room
+    bool lacks_room = false;
+  };
   /// Draws the legend at its position, or else in the lower right corner beside the marks, or in another one if only
-  /// that is free; `origin` is the origin of positions in screen coordinates. Returns its box; nothing if it has no
-  /// entries or no room.
-  std::optional<Box2> draw(const std::optional<PaperPlace>& place, ImVec2 origin, const MarksPlace& marks) const;
+  /// that is free; `origin` is the origin of positions in screen coordinates.
+  Drawn draw(const std::optional<PaperPlace>& place, ImVec2 origin, const MarksPlace& marks) const;
 };
 
 }  // namespace mes
