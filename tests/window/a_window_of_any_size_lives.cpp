@@ -35,3 +35,18 @@ TEST_CASE("a window without room for its panels lives, and shows them again when
     if (keys == std::string("ctrl+k")) window.press("Escape");
   }
 }
+
+TEST_CASE("a narrow window with large letters shows the whole light, without its epsilon") {
+  DrivenProgram window;
+  window.folder.write("house.poff", kHouse);
+  std::filesystem::create_directories(window.folder / "config" / "mesecina");
+  window.folder.write("config/mesecina/settings.json",
+                      R"({"schema": 1, "interface_scale": 2.0, "window_width": 640, "window_height": 480})");
+  window.start("house.poff");
+  const auto is_light = [](Color c) { return c.r < 40 && c.g > 130 && c.b < 140; };
+  const auto width_of_light = [&] {
+    const PixelBox light = window.screen.settled().box_of({0, 425, 640, 480}, is_light);
+    return light.right - light.left;
+  };
+  CHECK(eventually([&] { return width_of_light() >= 18; }));
+}

@@ -99,7 +99,7 @@ void StatusBar::draw(const PanelArea& area) const {
     const std::string count_text = counts(editor, canvas.view_at_pointer().camera().units_per_pixel());
     const float count_width = ImGui::CalcTextSize(count_text.c_str()).x;
     const float end = ImGui::GetContentRegionMax().x;
-    const float verdict_at = end - verdict.width();
+    const float verdict_at = end - verdict.width(end);
     const float before_verdict = verdict_at - 14 * unit - count_width;
     // Wide enough for the digits of a deep zoom; otherwise constant, so that nothing moves with the pointer.
     const float coordinates_width =
@@ -157,7 +157,7 @@ void StatusBar::draw(const PanelArea& area) const {
       }
     }
     ImGui::SameLine(verdict_at);
-    verdict.draw();
+    verdict.draw(end);
   }
   ImGui::End();
   ImGui::PopStyleVar(3);

@@ -38,9 +38,15 @@ float epsilon_width(const Gui& gui, std::string_view epsilon) {
   return kEpsilonWidth * std::ceil(width / kEpsilonWidth);
 }
 
-std::string epsilon_of(const Verdict& verdict) {
+float width_with(const Gui& gui, std::string_view epsilon) {
+  return (kChoiceWidth + kLightWidth + epsilon_width(gui, epsilon) + 12) * gui.unit();
+}
+
+/// Empty if it has no room beside the light.
+std::string epsilon_of(const Verdict& verdict, float room) {
   const auto epsilon = sampling_verdict(verdict.picture.nodes()).epsilon;
-  return epsilon ? epsilon->text() : std::string();
+  const std::string text = epsilon ? epsilon->text() : std::string();
+  return width_with(verdict.gui, text) > room ? std::string() : text;
 }
 
 void draw_choice(const Verdict& verdict) {
@@ -111,18 +117,18 @@ void draw_reasons(const Verdict& verdict) {
 
 }  // namespace
 
-float Verdict::width() const {
-  return (kChoiceWidth + kLightWidth + epsilon_width(gui, epsilon_of(*this)) + 12) * gui.unit();
+float Verdict::width(float room) const {
+  return width_with(gui, epsilon_of(*this, room));
 }
 
-void Verdict::draw() const {
+void Verdict::draw(float room) const {
   const float unit = gui.unit();
   draw_choice(*this);
   ImGui::SameLine(0, 10 * unit);
   const VerdictWord look = shown_verdict(engine, picture);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float height = ImGui::GetFrameHeight();
-  const std::string epsilon = epsilon_of(*this);
+  const std::string epsilon = epsilon_of(*this, room);
   const float light_width = (kLightWidth + epsilon_width(gui, epsilon)) * unit;
   if (hit_area("##light", {light_width, height})) ImGui::OpenPopup("##reasons");
   if (ImGui::IsItemHovered()) {

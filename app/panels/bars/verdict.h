@@ -21,10 +21,11 @@ struct Verdict {
   Canvas& canvas;
 
   /// Width that `draw` takes.
-  float width() const;
+  float width(float room) const;
   /// Draws in the present window at the present position: a choice of number types, and the light with the epsilon
-  /// beside it, if it is measured. The light opens the list of reasons; a click on a reason shows its location.
-  void draw() const;
+  /// beside it, if it is measured and all this is at most as wide as `room`. The light opens the list of reasons; a
+  /// click on a reason shows its location.
+  void draw(float room) const;
 };
 
 }  // namespace mes
