@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include "app/editing/ball_pick.h"
@@ -488,10 +489,14 @@ bool DrawingBoard::shows_annotations() const {
 }
 
 std::size_t DrawingBoard::hidden_by(const Box2& on_screen) const {
-  constexpr int kParts = 8;
+  // Nearly square parts, since each is asked for the samples within a circle around it.
+  constexpr int kParts = 64;
+  const double shape = on_screen.width() / std::max(1.0, on_screen.height());
+  const int columns = std::clamp(static_cast<int>(std::lround(std::sqrt(kParts * shape))), 1, kParts);
+  const int rows = kParts / columns;
   const double ratio = screen_.window->pixel_ratio();
   const render::Camera& camera = view().camera();
-  const Vec2 part{on_screen.width() / kParts, on_screen.height() / kParts};
+  const Vec2 part{on_screen.width() / columns, on_screen.height() / rows};
   const double reach = 0.5 * length(part) * ratio * camera.units_per_pixel();
   const Editor& editor = work_.editor();
   // Balls by themselves are large; of many the centres tell where they are.
@@ -506,8 +511,8 @@ std::size_t DrawingBoard::hidden_by(const Box2& on_screen) const {
     });
   };
   std::size_t out = 0;
-  for (int i = 0; i < kParts * kParts; ++i) {
-    const Vec2 at = on_screen.low + Vec2{(i % kParts + 0.5) * part.x, (i / kParts + 0.5) * part.y};
+  for (int i = 0; i < columns * rows; ++i) {
+    const Vec2 at = on_screen.low + Vec2{(i % columns + 0.5) * part.x, (i / columns + 0.5) * part.y};
     const Vec2 world = camera.to_world(ratio * at);
     out += editor.index().nearest(world, reach) != kNoSlot || editor.centers().nearest(world, reach) != kNoSlot ||
            is_on_ball(world);

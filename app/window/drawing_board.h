@@ -88,7 +88,7 @@ class DrawingBoard {
 
   bool shows_annotations() const;
   /// A measure of what a rectangle of the window, in screen coordinates, would hide in the main pane: the number of its
-  /// 64 parts with a sample or the centre of a ball. Cost: some ten microseconds.
+  /// 64 parts (about) with a sample or the centre of a ball. Cost: some ten microseconds.
   std::size_t hidden_by(const Box2& on_screen) const;
 
  private:

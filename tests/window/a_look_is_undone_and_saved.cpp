@@ -148,11 +148,12 @@ TEST_CASE("a legend lies where it was dragged, however fast the hand was") {
 TEST_CASE(
     "a scale bar is dragged, given back by Escape, undo or a double click, and stands there in the next window") {
   DrivenProgram window;
-  window.folder.write("house.poff", "POFF 5 0 0\n0 0\n4 0\n4 3\n2 5\n0 3\n");
+  // No corner of the view has a sample.
+  window.folder.write("diamond.poff", "POFF 4 0 0\n0 -1\n1 0\n0 1\n-1 0\n");
   const auto settings = [&] { return bytes_of(window.folder / "config" / "mesecina" / "settings.json"); };
   std::filesystem::create_directories(window.folder / "config" / "mesecina");
   window.folder.write("config/mesecina/settings.json", R"({"schema": 1, "show_scale_bar": true})");
-  window.start("house.poff");
+  window.start("diamond.poff");
   // Below the samples nothing but the line of the bar is so dark.
   constexpr PixelBox kLow{80, 740, 240, 764};
   const auto is_ink = [](Color c) { return c.r < 60 && c.g < 60 && c.b < 70; };
@@ -203,7 +204,7 @@ TEST_CASE(
   window.press("ctrl+q");
   REQUIRE(eventually([&] { return !window.program.is_running(); }));
   CHECK(settings().find("\"scale_bar_at\": \"bottom-left:") != std::string::npos);
-  window.start("house.poff");
+  window.start("diamond.poff");
   CHECK(eventually([&] { return is_at(window.screen.shoot(), 60, -90); }));
   // Clicking it does nothing; a second click at once gives it back.
   window.screen.click(to);
