@@ -393,17 +393,25 @@ CaptionDrawing layout_caption(const CaptionText& text, const CaptionLook& look, 
   return std::move(setter).finish();
 }
 
-FittedCaption fit_caption(const CaptionText& text, CaptionLook look, double height, const MeasureText& measure) {
+FittedCaption fit_caption(const CaptionText& text, CaptionLook look, double height, const MeasureText& measure,
+                          std::span<const CaptionText> beside) {
   constexpr double kSmaller = 0.95;
   constexpr double kSmallest = 0.42;
   const double least = kSmallest * look.letters;
-  CaptionDrawing drawn = layout_caption(text, look, measure);
-  const auto fits = [&] { return drawn.drawing.height <= height && drawn.drawing.width <= 1.001 * look.width; };
-  while (!fits() && look.letters * kSmaller > least) {
-    look.letters *= kSmaller;
-    drawn = layout_caption(text, look, measure);
-  }
-  const bool is_whole = fits();
+  const auto fits = [&](const CaptionDrawing& drawn) {
+    return drawn.drawing.height <= height && drawn.drawing.width <= 1.001 * look.width;
+  };
+  const auto drawn_smaller = [&](const CaptionText& one) {
+    CaptionDrawing out = layout_caption(one, look, measure);
+    while (!fits(out) && look.letters * kSmaller > least) {
+      look.letters *= kSmaller;
+      out = layout_caption(one, look, measure);
+    }
+    return out;
+  };
+  for (const CaptionText& one : beside) static_cast<void>(drawn_smaller(one));
+  CaptionDrawing drawn = drawn_smaller(text);
+  const bool is_whole = fits(drawn);
   if (!is_whole)
     std::erase_if(drawn.drawing.lines, [&](const PaperDrawing::Line& line) { return line.top + line.size > height; });
   return {std::move(drawn.drawing), std::move(drawn.complaint), is_whole};

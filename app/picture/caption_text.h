@@ -17,6 +17,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -74,8 +75,10 @@ struct FittedCaption {
   bool is_whole = true;     ///< false: it is cut off, because it is too long even in the smallest letters
 };
 
-/// Uses the largest letters that fit into the room, down to a hardly readable size.
-FittedCaption fit_caption(const CaptionText& text, CaptionLook look, double height, const MeasureText& measure);
+/// Uses the largest letters in which the caption and those `beside` it, such as all captions of a lesson, fit into the
+/// room, down to a hardly readable size.
+FittedCaption fit_caption(const CaptionText& text, CaptionLook look, double height, const MeasureText& measure,
+                          std::span<const CaptionText> beside = {});
 
 /// Uses the elements h2 to h4, p, ul and li, and escapes everything that was not understood.
 std::string html_of(const CaptionText& text);

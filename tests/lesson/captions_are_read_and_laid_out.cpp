@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <string>
+#include <vector>
 
 #include "app/picture/caption_text.h"
 
@@ -100,6 +101,25 @@ TEST_CASE("a word that is wider than the column is broken, wherever it stands") 
   // Also where a column has no room for a letter, it ends.
   CHECK(layout_caption(caption_text("abc def"), {.width = 1.0, .letters = 10.0}, half_each).drawing.lines.size() ==
         6);
+}
+
+TEST_CASE("captions of a lesson have the letters in which the longest of them fits") {
+  const CaptionLook look{.width = 100.0, .letters = 10.0};
+  std::string words;
+  for (int i = 0; i < 30; ++i) words += "abc ";
+  const std::vector<CaptionText> all{caption_text("abc"), caption_text(words), caption_text("abc def")};
+  const auto size_of = [](const FittedCaption& fitted) { return fitted.drawing.lines.front().size; };
+  // The longest alone; in a line of the largest letters there are five words.
+  const FittedCaption longest = fit_caption(all[1], look, 60.0, half_each);
+  CHECK(longest.is_whole);
+  CHECK(size_of(longest) < 10.0);
+  CHECK(size_of(fit_caption(all[0], look, 60.0, half_each)) == 10.0);
+  for (const CaptionText& one : all) CHECK(size_of(fit_caption(one, look, 60.0, half_each, all)) == size_of(longest));
+  // One that is too long even in the smallest letters does not make the others smaller than that.
+  for (int i = 0; i < 6; ++i) words += words;
+  const std::vector<CaptionText> too_long{caption_text(words), all[0]};
+  CHECK_FALSE(fit_caption(too_long[0], look, 60.0, half_each, too_long).is_whole);
+  CHECK(size_of(fit_caption(too_long[1], look, 60.0, half_each, too_long)) > 4.0);
 }
 
 TEST_CASE("mathematics has its scripts, and complains once") {

@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 #include <algorithm>
+#include <vector>
 
 #include "app/panels/on_canvas/paper_on_canvas.h"
 #include "app/picture/caption_text.h"
@@ -38,7 +39,9 @@ float LessonCard::draw_caption(const PanelArea& area) const {
         .width = column,
         .letters = std::clamp(kLettersOfHeight * height, kLeastCaptionLetters, kMostCaptionLetters),
         .ink = paper_colors(canvas).ink};
-    fitted = fit_caption(caption_text(presenter.caption()), look, most, measure_on_canvas(gui));
+    std::vector<CaptionText> captions;
+    for (const LessonStep& step : presenter.lesson().steps) captions.push_back(caption_text(step.caption));
+    fitted = fit_caption(caption_text(presenter.caption()), look, most, measure_on_canvas(gui), captions);
     taken = std::max(taken, fitted.drawing.height + 2.0 * kLessonMargin);
   }
   const float top = area.at.y + area.size.y - static_cast<float>(taken * unit);
