@@ -122,8 +122,8 @@ void describe_render(const Registry& registry, CLI::App& app, RenderRequest& to)
                        page_preset_words() +
                        ".\n"
                        "Where samples are dense, lines are not made finer than 0.5 pt; the\n"
-                       "letters of the legend have 8 pt, times --scale, on a small page too,\n"
-                       "and 16 pt on a slide")
+                       "letters of the legend have 7.5 pt, times --scale, on a small page too,\n"
+                       "and 15 pt on a slide")
       ->excludes(size);
   render->add_option("--bounds", to.bounds, "Of a vector format: view, or tight to cut it to what is drawn")
       ->capture_default_str();

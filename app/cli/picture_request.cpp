@@ -149,9 +149,10 @@ Expected<PictureRequest> understand(const Registry& registry, const RenderReques
     if (!page) return usage_error("--figure-size " + page.error().text);
     picture.page = *page;
   }
-  const double lettering = picture.page ? picture.page->lettering : 1.0;
+  const double on_paper =
+      picture.page ? scale_for_letters(picture.page->lettering * FigureSettings().letters_pt) : 1.0;
   auto styles = changed_styles(registry, std::move(picture.shown.styles), request.styles, picture.shown.layers,
-                               map_names, lettering);
+                               map_names, on_paper);
   if (!styles) return std::unexpected(styles.error());
   picture.shown.styles = std::move(*styles);
   const auto format = format_of(request);
@@ -180,7 +181,7 @@ Expected<PictureRequest> understand(const Registry& registry, const RenderReques
   const auto scale = parse_number(request.scale);
   if (!scale || *scale < kLeastScale || *scale > kMostScale)
     return usage_error("--scale expects a number from 0.01 to 100, not " + in_quotes(request.scale));
-  picture.shown.scale = *scale * lettering;
+  picture.shown.scale = *scale * on_paper;
   if (picture.page)
     picture.shown.least_line_px = FigureSettings().least_line_pt / (figure::kPointsPerPixel * picture.shown.scale);
   return picture;

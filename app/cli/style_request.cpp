@@ -24,8 +24,8 @@ constexpr std::array<std::string_view, 9> kKeys{"color", "opacity",   "point-siz
 /// One KEY=VALUE for one layer.
 class Setting {
  public:
-  Setting(std::string_view key, std::string_view value, std::span<const std::string> maps, double lettering)
-      : key_(key), value_(value), maps_(maps), lettering_(lettering) {}
+  Setting(std::string_view key, std::string_view value, std::span<const std::string> maps, double scale)
+      : key_(key), value_(value), maps_(maps), scale_(scale) {}
 
   Expected<void> apply(const LayerDescriptor& layer, LayerStyle& style) const {
     if (key_ == "color") return color(style);
@@ -75,7 +75,7 @@ class Setting {
       append_number(text, high);
       return fail(text + "px");
     }
-    out = value / lettering_;
+    out = value / scale_;
     return {};
   }
   Expected<void> flag(bool& out) const {
@@ -110,7 +110,7 @@ class Setting {
   std::string_view key_;
   std::string_view value_;
   std::span<const std::string> maps_;
-  double lettering_;
+  double scale_;
 };
 
 }  // namespace
@@ -124,7 +124,7 @@ std::string style_keys() {
 Expected<std::vector<LayerStyle>> changed_styles(const Registry& registry, std::vector<LayerStyle> styles,
                                                  std::span<const std::string> requests,
                                                  std::span<const VariantLayer> drawn,
-                                                 std::span<const std::string> color_maps, double lettering) {
+                                                 std::span<const std::string> color_maps, double scale) {
   std::vector<LayerIndex> sized;  // their size was requested, so it is kept where samples are dense
   std::vector<LayerIndex> told;   // the request says whether to keep it
   for (const std::string& request : requests) {
@@ -143,8 +143,7 @@ Expected<std::vector<LayerStyle>> changed_styles(const Registry& registry, std::
       if (equals == std::string_view::npos)
         return usage_error("--set-style expects KEY=VALUE, not " + in_quotes(setting));
       const std::string_view key = setting.substr(0, equals);
-      const auto good =
-          Setting(key, setting.substr(equals + 1), color_maps, lettering).apply(descriptor, styles[*layer]);
+      const auto good = Setting(key, setting.substr(equals + 1), color_maps, scale).apply(descriptor, styles[*layer]);
       if (!good) return std::unexpected(good.error());
       if (key == "point-size" || key == "line-width") sized.push_back(*layer);
       if (key == "thin-when-dense") told.push_back(*layer);

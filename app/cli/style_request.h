@@ -17,12 +17,12 @@ class Registry;
 namespace mes::cli {
 
 /// The styles of all layers, by layer, after the changes in `requests`, made in order. Error: `usage` with the
-/// nearest words; also for a layer that is not among `drawn`. `lettering`: as in PageSize; a length with a unit is
-/// one on paper, so it is divided by this factor here.
+/// nearest words; also for a layer that is not among `drawn`. Lines are drawn `scale` times as wide later; a length
+/// with a unit is one on paper, so it is divided by this factor here.
 Expected<std::vector<LayerStyle>> changed_styles(const Registry& registry, std::vector<LayerStyle> styles,
                                                  std::span<const std::string> requests,
                                                  std::span<const VariantLayer> drawn,
-                                                 std::span<const std::string> color_maps, double lettering = 1.0);
+                                                 std::span<const std::string> color_maps, double scale = 1.0);
 
 /// The keys of a request, for the help page.
 std::string style_keys();

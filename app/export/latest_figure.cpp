@@ -60,7 +60,7 @@ FigureRequest request_of(const FigureSubject& subject, const FigureSettings& set
   if (settings.as_on_screen) {
     out.shown.scale = page.width / (figure::kPointsPerPixel * canvas_width(subject, shows_panes(subject, settings)));
   } else {
-    out.shown.scale = settings.letters_pt / (figure::kPointsPerPixel * figure::kEmOfSize * kSmallTextSize);
+    out.shown.scale = scale_for_letters(settings.letters_pt);
     out.shown.least_line_px = settings.least_line_pt / (figure::kPointsPerPixel * out.shown.scale);
     for (LayerStyle& style : out.shown.styles) {
       style.line_width_px = std::max(style.line_width_px, out.shown.least_line_px);

@@ -7,8 +7,10 @@
 
 #include "app/editing/sample_spacing.h"
 #include "app/picture/canvas_look.h"
+#include "app/picture/paper_drawing.h"
 #include "core/draw/primitive_values.h"
 #include "core/draw/variant.h"
+#include "render/figure/figure.h"
 
 namespace mes {
 namespace {
@@ -66,6 +68,10 @@ Box2 fit_box(std::span<const LayerDescriptor> descriptors, const Box2& samples, 
   box.low = {within(box.low.x, samples.low.x, samples.high.x), within(box.low.y, samples.low.y, samples.high.y)};
   box.high = {within(box.high.x, samples.low.x, samples.high.x), within(box.high.y, samples.low.y, samples.high.y)};
   return box;
+}
+
+double scale_for_letters(double points) {
+  return points / (figure::kPointsPerPixel * figure::kEmOfSize * kSmallTextSize);
 }
 
 LayerConfiguration configuration_of(const ShownLayers& shown) {

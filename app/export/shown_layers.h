@@ -28,6 +28,9 @@ struct ShownLayers {
   double least_line_px = 0.0;                    ///< density makes no line and no dot finer, in logical pixels
 };
 
+/// The `scale` of a page on which the letters of legend, scale bar and axes have this size in points.
+double scale_for_letters(double points);
+
 /// The layers of one variant with their styles, in the form of sessions.
 LayerConfiguration configuration_of(const ShownLayers& shown);
 

@@ -410,7 +410,7 @@ TEST_CASE("a figure has the size on paper that was asked for") {
                Catch::Contains("stroke-width=\"0.6\""));
 }
 
-TEST_CASE("on paper lines have half a point at least, and letters eight points") {
+TEST_CASE("on paper lines have half a point at least, and letters seven and a half") {
   const TemporaryFolder folder;
   const std::string file = (folder / "a.svg").string();
   // The numbers that follow a word in the file.
@@ -428,10 +428,10 @@ TEST_CASE("on paper lines have half a point at least, and letters eight points")
     CAPTURE(size);
     render_figure(with(dense, {"--figure-size", size}), file);
     CHECK(std::ranges::min(numbers_after("stroke-width=\"")) >= 0.5);
-    CHECK(std::ranges::min(numbers_after("font-size=\"")) == Approx(8.06).margin(0.01));
+    CHECK(std::ranges::min(numbers_after("font-size=\"")) == Approx(7.5).margin(0.01));
   }
   render_figure(with(dense, {"--figure-size", "slide"}), file);
-  CHECK(std::ranges::min(numbers_after("font-size=\"")) == Approx(16.12).margin(0.02));
+  CHECK(std::ranges::min(numbers_after("font-size=\"")) == Approx(15.0).margin(0.02));
   // A width that was given stays.
   render_figure(with(dense, {"--figure-size", "40mm", "--set-style", "voronoi:line-width=0.2pt"}), file);
   CHECK(std::ranges::min(numbers_after("stroke-width=\"")) == Approx(0.2));
