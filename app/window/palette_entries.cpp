@@ -95,6 +95,18 @@ void add_layers(const Panels::Uses& uses, Entries& out) {
   }
 }
 
+// The style of a layer is behind its swatch, which has no action of its own.
+void add_styles(const Panels::Uses& uses, Entries& out) {
+  out.push_back(
+      {.kind = "Layers",
+       .name = "Colours and widths of layers",
+       .explanation = "Click the swatch in the row of a layer; viridis and cividis suit colour-blind readers",
+       .words = "style styles colour color line thickness opacity dots map maps palette blind safe colorblind "
+                "colourblind viridis cividis",
+       .place = "Layers > swatch of a layer",
+       .run = uses.show_swatches});
+}
+
 void add_parameters(const Panels::Uses& uses, Entries& out) {
   for (const Parameter& parameter : uses.work.computation().parameters()) {
     out.push_back({.kind = "Parameter",
@@ -184,6 +196,7 @@ std::vector<PaletteEntry> palette_entries(const Panels::Uses& uses, std::span<co
   add_bundles(uses, out);
   add_lessons(uses, out);
   add_layers(uses, out);
+  add_styles(uses, out);
   add_parameters(uses, out);
   add_evolutions(uses, out);
   add_sizes(uses, out);

@@ -135,6 +135,12 @@ std::vector<PaletteEntry> Panels::palette_entries() {
   uses.show_layer = [this](LayerIndex layer) {
     if (is_seen(PanelPage::layers)) layers_panel_.reveal(layer);
   };
+  uses.show_swatches = [this] {
+    are_shown_ = true;
+    uses_.settings.panels.open(PanelPage::layers);
+    const std::vector<LayerIndex> shown = uses_.work.layers().visible_layers();
+    if (!shown.empty()) layers_panel_.reveal(shown.back());
+  };
   return mes::palette_entries(uses, column_.pages());
 }
 

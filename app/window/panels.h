@@ -55,6 +55,7 @@ class Panels {
     Messages& messages;
     std::function<void(const std::string&)> show_parameter{};  ///< lists the parameters with this name
     std::function<void(LayerIndex)> show_layer{};              ///< shows its row in the list of layers
+    std::function<void()> show_swatches{};                     ///< opens the list of layers at a shown one
   };
   explicit Panels(const Uses& uses);
 

@@ -81,9 +81,6 @@ TEST_CASE("what people call a thing finds it among the first") {
   finds("centerline", "medial-axis");
   finds("dark", "toggle-theme");
   finds("movie", "record");
-  finds("colour blind", "toggle-layers");
-  finds("color blind", "toggle-layers");
-  finds("colorblind", "toggle-layers");
   finds("lfs", "feature-size");
   finds("jitter", "noise");
   // Words of the explanation count last, but they count.

@@ -80,3 +80,22 @@ TEST_CASE("a layer that the palette finds is shown in the list, in its unfolded 
   window.quit();
   CHECK(window.settings().find("\"Poles & power crust\"") != std::string::npos);
 }
+
+TEST_CASE("words for colours open the list of layers at the row of a shown layer") {
+  for (const char* words : {"colour blind", "color blind", "colorblind"}) {
+    INFO(words);
+    ListedWindow window(R"({"schema": 1, "panels": ["statistics"], "pinned_panel": ""})");
+    static_cast<void>(window.drawn());
+    window.screen.xdotool("key ctrl+k");
+    static_cast<void>(window.screen.settled());
+    window.screen.type_over(words);
+    static_cast<void>(window.screen.settled());
+    window.press("Return");
+    constexpr PixelBox kRows{942, 120, 1020, 700};
+    const PixelBox row = window.at_rest().box_of(kRows, is_marked);
+    REQUIRE_FALSE(row.is_empty());
+    CHECK(row.bottom - row.top < 40);
+    window.quit();
+    CHECK(window.settings().find("\"layers\"") != std::string::npos);
+  }
+}
