@@ -68,6 +68,9 @@ void draw_node(const Gui& gui, const NodeReport& node) {
         "constructed are rounded to doubles in the first, and exact in the second");
   }
   if (!node.stats.empty() && ImGui::BeginTable("stats", 2, ImGuiTableFlags_SizingStretchProp)) {
+    // Widths that followed from the contents would be right in the second frame only, and there may be none.
+    ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthStretch | ImGuiTableColumnFlags_NoClip, 0.6F);
+    ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch, 0.4F);
     for (const Stat& stat : node.stats) {
       ImGui::TableNextRow();
       ImGui::TableNextColumn();
