@@ -54,9 +54,9 @@ CellsByValue cells_by_value(const std::string& csv) {
   return out;
 }
 
-std::optional<Expected<std::string>> wait_for_sweep(SweepJob& job) {
-  while (job.is_under_way())
-    if (auto done = job.poll()) return done;
+std::optional<Expected<std::string>> wait_for_sweep(SweepJob& sweep) {
+  while (sweep.is_under_way())
+    if (auto done = sweep.poll()) return done;
   return std::nullopt;
 }
 
@@ -73,14 +73,14 @@ TEST_CASE("a table has a line for each value, the same aside as at once") {
   CHECK(text->find("\n1,4,8,") != std::string::npos);
   CHECK(std::ranges::count(*text, '\n') == 4);
   CHECK(shares == std::vector{0.0, 0.5, 1.0});
-  SweepJob job(builtins(), [] {});
-  CHECK_FALSE(job.poll().has_value());
-  job.begin(sweep_of_square(2));
-  const auto aside = wait_for_sweep(job);
+  SweepJob sweep(builtins(), [] {});
+  CHECK_FALSE(sweep.poll().has_value());
+  sweep.begin(sweep_of_square(2));
+  const auto aside = wait_for_sweep(sweep);
   REQUIRE(aside.has_value());
   REQUIRE(aside->has_value());
   CHECK(**aside == *text);
-  CHECK(job.progress() == 1.0);
+  CHECK(sweep.progress() == 1.0);
 }
 
 TEST_CASE("a table holds what only some of its values have, whichever comes first") {
@@ -109,13 +109,13 @@ TEST_CASE("a table holds what only some of its values have, whichever comes firs
 }
 
 TEST_CASE("a sweep that is given up brings nothing, and the next one brings its own") {
-  SweepJob job(builtins(), [] {});
-  job.begin(sweep_of_square(ParameterAnimation::kMostSteps));
-  job.give_up();
-  CHECK_FALSE(job.is_under_way());
-  CHECK_FALSE(job.poll().has_value());
-  job.begin(sweep_of_square(1));
-  const auto done = wait_for_sweep(job);
+  SweepJob sweep(builtins(), [] {});
+  sweep.begin(sweep_of_square(ParameterAnimation::kMostSteps));
+  sweep.give_up();
+  CHECK_FALSE(sweep.is_under_way());
+  CHECK_FALSE(sweep.poll().has_value());
+  sweep.begin(sweep_of_square(1));
+  const auto done = wait_for_sweep(sweep);
   REQUIRE(done.has_value());
   REQUIRE(done->has_value());
   CHECK(std::ranges::count(**done, '\n') == 3);

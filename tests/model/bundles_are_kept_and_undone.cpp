@@ -263,8 +263,8 @@ TEST_CASE("starting bundles that are broken or missing are reported, and the oth
   std::filesystem::create_directories(assets / "bundles");
   assets.write("bundles/a.json", "{");
   std::filesystem::copy_file("assets/bundles/starting.json", assets / "bundles/b.json");
-  const auto [bundles, message] = read_starting_bundles(layer_descriptors(), assets.path());
-  CHECK(bundles.size() >= 9);
+  const auto [starting, message] = read_starting_bundles(layer_descriptors(), assets.path());
+  CHECK(starting.size() >= 9);
   CHECK_THAT(message, Catch::Contains("a.json"));
   LayerStack layers(layer_descriptors());
   WindowBundles bundles(assets / "own.json", assets.path(), layers);

@@ -23,9 +23,9 @@ struct FilesBench {
       bell.ring()};
 
   DocumentFiles::Outcome open(const std::filesystem::path& file) { return open(std::vector{file}); }
-  DocumentFiles::Outcome open(const std::vector<std::filesystem::path>& files,
+  DocumentFiles::Outcome open(const std::vector<std::filesystem::path>& paths,
                               MapDegrees degrees = MapDegrees::projected) {
-    files.open(files, degrees);
+    files.open(paths, degrees);
     return outcome();
   }
   /// Of what is being read.
