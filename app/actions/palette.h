@@ -32,9 +32,9 @@ struct PaletteHit {
 
 /// Finds entries, the best first: by letters of their names, by beginnings of synonyms, by letters of kind and id, and
 /// last by beginnings of words of the explanation. If some of them have the words of the query whole, or their letters
-/// at the beginnings of words, then those are left out whose letters are only scattered. Of equal ones, recently run ones come first (`recent`: kinds and
-/// names, newest first), then enabled ones, then the given order. Without a query it returns everything, recently run
-/// entries first. Cost: O(|query| * letters of all texts).
+/// at the beginnings of words, then those are left out whose letters are only scattered. Of equal ones, recently run
+/// ones come first (`recent`: kinds and names, newest first), then enabled ones, then the given order. Without a query
+/// it returns everything, recently run entries first. Cost: O(|query| * letters of all texts).
 std::vector<PaletteHit> find_entries(std::span<const PaletteEntry> entries, std::string_view query,
                                      std::span<const std::string> recent);
 
