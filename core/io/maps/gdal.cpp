@@ -20,6 +20,9 @@
 namespace mes {
 namespace {
 
+/// The system of a plane. GDAL 3.6 has a leak where the argument is "none" instead.
+constexpr const char* kPlane = R"(LOCAL_CS["Undefined Cartesian SRS"])";
+
 /// Keeps messages of GDAL for `problem`, which would be printed otherwise.
 class GdalMessages {
  public:
@@ -160,7 +163,7 @@ Expected<std::string> geojson_by_gdal(std::string_view bytes, const std::string&
     if (layer == nullptr || gdal.geometry_type(layer) == kNoGeometry) continue;
     const GdalMemory text(gdal, ".geojson");
     const bool is_written = translate(gdal, set.get(), text.name(),
-                                      {"-f", "GeoJSON", "-a_srs", "none", "-dim", "XY", "-nlt", "CONVERT_TO_LINEAR",
+                                      {"-f", "GeoJSON", "-a_srs", kPlane, "-dim", "XY", "-nlt", "CONVERT_TO_LINEAR",
                                        "-preserve_fid", "-lco", "SIGNIFICANT_FIGURES=17", gdal.layer_name(layer)},
                                       job);
     const std::string_view written = text.bytes();
@@ -186,8 +189,7 @@ Expected<std::string> map_by_gdal(std::string_view geojson, const std::string& d
   const GdalMemory file(gdal, driver == "GPKG" ? ".gpkg" : ".fgb");
   std::vector<std::string> arguments{"-f", driver, "-nln", "mesecina"};
   if (!system)
-    arguments.insert(arguments.end(),
-                     {"-a_srs", driver == "GPKG" ? R"(LOCAL_CS["Undefined Cartesian SRS"])" : "none"});
+    arguments.insert(arguments.end(), {"-a_srs", kPlane});
   else if (!system->empty())
     arguments.insert(arguments.end(), {"-t_srs", *system});
   gdal.set_thread_option("OGR_CURRENT_DATE", "1970-01-01T00:00:00Z");
