@@ -176,6 +176,9 @@ TEST_CASE("a map that GDAL cannot read is one line") {
   for (std::size_t size = 8; size < flat.size(); size += flat.size() / 7)
     CHECK_THAT(map_fault(3, {"compute", "-"}, flat.substr(0, size)), Catch::Contains("-: "));
   CHECK_THAT(map_fault(3, {"centerline", "-", "--each"}, shapes), Catch::Contains("-: "));
+  const std::string garbage = folder.write("garbage.gpkg", "garbage\x01\x02").string();
+  CHECK_THAT(map_fault(3, {"compute", garbage}),
+             Catch::Contains("cannot read the map") && !Catch::Contains("vsimem"));
   CHECK_THAT(map_fault(3, {"centerline", "-", "--each"}, "POLYGON ((0 0, 1 0, 1 1, 0 0))"),
              Catch::Contains("GeoPackages"));
   const std::string both = folder.write("strip.wkt", "POLYGON ((0 0, 800 0, 800 200, 0 200, 0 0))").string();

@@ -35,8 +35,9 @@ class GdalMessages {
   GdalMessages& operator=(const GdalMessages&) = delete;
 
   std::unexpected<Error> problem(std::string text, const std::string& file) const {
+    // Names in the memory of GDAL say nothing to a user.
     const std::string reason = one_line(gdal_.last_error());
-    if (!reason.empty()) text += ": " + reason;
+    if (!reason.empty() && !reason.contains("/vsimem/")) text += ": " + reason;
     return std::unexpected(Error{ErrorCode::bad_input, std::move(text), file});
   }
 
