@@ -28,7 +28,7 @@ struct FilesBench {
     files.open(paths, degrees);
     return outcome();
   }
-  /// Of what is being read.
+  /// Waits until the files that are being read are there.
   DocumentFiles::Outcome outcome() {
     std::optional<DocumentFiles::Outcome> out;
     bell.wait_until([&] { return (out = files.poll()).has_value(); });
