@@ -11,7 +11,6 @@ namespace {
 
 using enum ActionGroup;
 using enum ActionContext;
-using Id = ActionId;
 
 struct Row {
   ActionId id;
@@ -25,305 +24,317 @@ struct Row {
 constexpr bool kRepeats = true;
 
 constexpr auto kFileRows = std::to_array<Row>({
-    {Id::new_document, "new", "New", "Start with an empty plane", "Ctrl+N"},
-    {Id::open, "open", "Open...", "Open a session, samples, balls, bundles, or a picture with its source", "Ctrl+O"},
-    {Id::save, "save", "Save", "Save the session, or the samples and balls, to the current file", "Ctrl+S"},
-    {Id::save_as, "save-as", "Save as...",
+    {ActionId::new_document, "new", "New", "Start with an empty plane", "Ctrl+N"},
+    {ActionId::open, "open", "Open...", "Open a session, samples, balls, bundles, or a picture with its source",
+     "Ctrl+O"},
+    {ActionId::save, "save", "Save", "Save the session, or the samples and balls, to the current file", "Ctrl+S"},
+    {ActionId::save_as, "save-as", "Save as...",
      "Write to another file: .json keeps everything, .poff the samples, .wpoff the balls", "Ctrl+Shift+S"},
-    {Id::share, "share", "Share",
+    {ActionId::share, "share", "Share",
      "Copy a link that opens this session; only in a browser, where a page has an address"},
-    {Id::keep_degrees, "keep-degrees", "Keep degrees of maps",
+    {ActionId::keep_degrees, "keep-degrees", "Keep degrees of maps",
      "Use longitude and latitude of maps (GeoJSON, WKT, KML, GPX, shapefiles) as coordinates in degrees instead of "
      "projecting them to metres; an open map is read again"},
-    {Id::trace_picture, "trace-picture", "Picture underneath...",
+    {ActionId::trace_picture, "trace-picture", "Picture underneath...",
      "Show a picture below the drawing, to place samples along it"},
-    {Id::picture_to_samples, "trace-into-samples", "Trace a picture...",
+    {ActionId::picture_to_samples, "trace-into-samples", "Trace a picture...",
      "Sample the outlines in a silhouette or photograph: PNG, JPEG, BMP, PGM"},
-    {Id::make_shape, "make-shape", "Make a shape...",
+    {ActionId::make_shape, "make-shape", "Make a shape...",
      "Sample a parametric shape: circles, gears, spirals, formulas, random points and more"},
-    {Id::write_text, "write-text", "Write a text...", "Sample the outlines of a text, in any installed font"},
-    {Id::snapshot, "snapshot", "Snapshot",
+    {ActionId::write_text, "write-text", "Write a text...", "Sample the outlines of a text, in any installed font"},
+    {ActionId::snapshot, "snapshot", "Snapshot",
      "Save the view as a new picture, in the folder set under the button with three dots", "F3"},
-    {Id::copy_picture, "copy-picture", "Copy picture", "Copy the view to the clipboard as a picture", "Ctrl+Shift+C"},
-    {Id::record, "record", "Record", "Start or stop writing a numbered picture after each change", "F4"},
-    {Id::make_video, "make-video", "Make video", "Make a video of the last take with ffmpeg"},
-    {Id::export_figure, "export-figure", "Export a figure...",
+    {ActionId::copy_picture, "copy-picture", "Copy picture", "Copy the view to the clipboard as a picture",
+     "Ctrl+Shift+C"},
+    {ActionId::record, "record", "Record", "Start or stop writing a numbered picture after each change", "F4"},
+    {ActionId::make_video, "make-video", "Make video", "Make a video of the last take with ffmpeg"},
+    {ActionId::export_figure, "export-figure", "Export a figure...",
      "Export the view as PDF, SVG, PostScript, Ipe or TikZ, at a given size on paper", "Ctrl+E"},
-    {Id::export_center_lines, "export-center-lines", "Export centre lines...",
+    {ActionId::export_center_lines, "export-center-lines", "Export centre lines...",
      "Write the centre lines, smoothed, with their lengths and widths, for maps (GeoJSON, WKT, GeoPackage, "
      "FlatGeobuf) "
      "and drawings (SVG, DXF), or as CSV; with two samples selected, the line between the ends near them"},
-    {Id::export_cells, "export-cells", "Export Voronoi cells...",
+    {ActionId::export_cells, "export-cells", "Export Voronoi cells...",
      "Write the Voronoi cell of each sample as a polygon, as GeoJSON, WKT, GeoPackage or FlatGeobuf: within the "
      "outline of a map with points beside it, else within a box"},
-    {Id::quit, "quit", "Quit", "Close the window", "Ctrl+Q"},
+    {ActionId::quit, "quit", "Quit", "Close the window", "Ctrl+Q"},
 });
 
 constexpr auto kEditRows = std::to_array<Row>({
-    {Id::undo, "undo", "Undo", "Undo the last step", "Ctrl+Z", always, kRepeats},
-    {Id::redo, "redo", "Redo", "Redo the step that was undone last", "Ctrl+Shift+Z Ctrl+Y", always, kRepeats},
-    {Id::select_all, "select-all", "Select all", "Select every sample and every ball", "Ctrl+A"},
-    {Id::invert_selection, "invert-selection", "Invert selection", "Swap selected and unselected samples and balls",
-     "Ctrl+I"},
-    {Id::deselect, "deselect", "Deselect",
+    {ActionId::undo, "undo", "Undo", "Undo the last step", "Ctrl+Z", always, kRepeats},
+    {ActionId::redo, "redo", "Redo", "Redo the step that was undone last", "Ctrl+Shift+Z Ctrl+Y", always, kRepeats},
+    {ActionId::select_all, "select-all", "Select all", "Select every sample and every ball", "Ctrl+A"},
+    {ActionId::invert_selection, "invert-selection", "Invert selection",
+     "Swap selected and unselected samples and balls", "Ctrl+I"},
+    {ActionId::deselect, "deselect", "Deselect",
      "End the current gesture, close messages or the card of the clicked element, clear the selection, end the "
      "presentation, or show hidden panels: each press does the next of these that is possible",
      "Esc"},
-    {Id::delete_selection, "delete", "Delete", "Delete the selection", "Delete Backspace", with_selection},
-    {Id::repair_sampling, "repair-sampling", "Repair the sampling",
+    {ActionId::delete_selection, "delete", "Delete", "Delete the selection", "Delete Backspace", with_selection},
+    {ActionId::repair_sampling, "repair-sampling", "Repair the sampling",
      "Insert samples, on a spline through the existing ones, where the curve has too few for the theorem"},
-    {Id::decimate_sampling, "decimate-sampling", "Decimate the sampling",
+    {ActionId::decimate_sampling, "decimate-sampling", "Decimate the sampling",
      "Remove samples that neither the curve nor the topology of the axis needs"},
-    {Id::select_curve, "select-curve", "Select the curve",
+    {ActionId::select_curve, "select-curve", "Select the curve",
      "Select all samples of every curve that has a selected sample", "Shift+A"},
-    {Id::grow_selection, "grow-selection", "Grow selection", "Add the neighbours on the curve to the selection", ">",
-     always, kRepeats},
-    {Id::shrink_selection, "shrink-selection", "Shrink selection",
+    {ActionId::grow_selection, "grow-selection", "Grow selection", "Add the neighbours on the curve to the selection",
+     ">", always, kRepeats},
+    {ActionId::shrink_selection, "shrink-selection", "Shrink selection",
      "Remove from the selection the samples with an unselected neighbour on the curve", "<", always, kRepeats},
-    {Id::select_sources, "select-sources", "Select the samples of the clicked element",
+    {ActionId::select_sources, "select-sources", "Select the samples of the clicked element",
      "Select the samples or balls from which the element on the card derives"},
-    {Id::canvas_menu, "canvas-menu", "Menu at the cursor",
+    {ActionId::canvas_menu, "canvas-menu", "Menu at the cursor",
      "Open the menu of a right click: commands for the sample, annotation or element at the cursor",
      "Menu Shift+F10"},
-    {Id::copy, "copy", "Copy", "Copy the selection to the clipboard as text: one line of numbers for each sample",
-     "Ctrl+C"},
-    {Id::cut, "cut", "Cut", "Copy the selection to the clipboard and delete it", "Ctrl+X"},
-    {Id::paste, "paste", "Paste",
+    {ActionId::copy, "copy", "Copy",
+     "Copy the selection to the clipboard as text: one line of numbers for each sample", "Ctrl+C"},
+    {ActionId::cut, "cut", "Cut", "Copy the selection to the clipboard and delete it", "Ctrl+X"},
+    {ActionId::paste, "paste", "Paste",
      "Add the samples and balls from the text on the clipboard: a table, an SVG drawing, a map or a session",
      "Ctrl+V"},
-    {Id::duplicate, "duplicate", "Duplicate", "Add a copy of the selection, shifted a little to the lower right",
-     "Ctrl+D"},
-    {Id::mirror_x, "mirror-x", "Mirror left and right",
+    {ActionId::duplicate, "duplicate", "Duplicate",
+     "Add a copy of the selection, shifted a little to the lower right", "Ctrl+D"},
+    {ActionId::mirror_x, "mirror-x", "Mirror left and right",
      "Reflect the selection about the vertical line through its middle"},
-    {Id::mirror_y, "mirror-y", "Mirror above and below",
+    {ActionId::mirror_y, "mirror-y", "Mirror above and below",
      "Reflect the selection about the horizontal line through its middle"},
-    {nth(Id::first_alignment, 0), "align-left", "Align left", "Align the selection at the x of its left end"},
-    {nth(Id::first_alignment, 1), "align-center", "Align at the vertical middle line",
+    {nth(ActionId::first_alignment, 0), "align-left", "Align left", "Align the selection at the x of its left end"},
+    {nth(ActionId::first_alignment, 1), "align-center", "Align at the vertical middle line",
      "Align the selection at the x of its middle"},
-    {nth(Id::first_alignment, 2), "align-right", "Align right", "Align the selection at the x of its right end"},
-    {nth(Id::first_alignment, 3), "align-bottom", "Align at the bottom",
+    {nth(ActionId::first_alignment, 2), "align-right", "Align right",
+     "Align the selection at the x of its right end"},
+    {nth(ActionId::first_alignment, 3), "align-bottom", "Align at the bottom",
      "Align the selection at the y of its lower end"},
-    {nth(Id::first_alignment, 4), "align-middle", "Align at the horizontal middle line",
+    {nth(ActionId::first_alignment, 4), "align-middle", "Align at the horizontal middle line",
      "Align the selection at the y of its middle"},
-    {nth(Id::first_alignment, 5), "align-top", "Align at the top", "Align the selection at the y of its upper end"},
-    {Id::distribute_x, "distribute-x", "Distribute from left to right",
+    {nth(ActionId::first_alignment, 5), "align-top", "Align at the top",
+     "Align the selection at the y of its upper end"},
+    {ActionId::distribute_x, "distribute-x", "Distribute from left to right",
      "Space the selection evenly in x, between the outermost two"},
-    {Id::distribute_y, "distribute-y", "Distribute from bottom to top",
+    {ActionId::distribute_y, "distribute-y", "Distribute from bottom to top",
      "Space the selection evenly in y, between the outermost two"},
-    {Id::put_on_line, "put-on-line", "Put exactly on a line",
+    {ActionId::put_on_line, "put-on-line", "Put exactly on a line",
      "Move the selected points slightly, to coordinates that lie exactly on one line"},
-    {Id::put_on_circle, "put-on-circle", "Put exactly on a circle",
+    {ActionId::put_on_circle, "put-on-circle", "Put exactly on a circle",
      "Move the selected points slightly, to coordinates that lie exactly on one circle"},
-    {Id::add_circle, "add-circle", "Circle through three",
+    {ActionId::add_circle, "add-circle", "Circle through three",
      "Add the ball whose circle passes through the three selected points"},
-    {nth(Id::first_contour_change, 0), "join-contours", "Join contours",
+    {nth(ActionId::first_contour_change, 0), "join-contours", "Join contours",
      "Link the two selected samples, each an end of an open contour or on no contour; the two ends of one contour "
      "close it",
      "J"},
-    {nth(Id::first_contour_change, 1), "cut-contours", "Cut contours",
+    {nth(ActionId::first_contour_change, 1), "cut-contours", "Cut contours",
      "Remove the contour links between selected neighbours", "Shift+J"},
-    {nth(Id::first_contour_change, 2), "close-contours", "Close contours",
+    {nth(ActionId::first_contour_change, 2), "close-contours", "Close contours",
      "Close the open contours with a selected sample"},
-    {nth(Id::first_contour_change, 3), "open-contours", "Open contours",
+    {nth(ActionId::first_contour_change, 3), "open-contours", "Open contours",
      "Open the closed contours with a selected sample: between selected neighbours, or before the selected sample"},
-    {nth(Id::first_contour_change, 4), "reverse-contours", "Reverse contours",
+    {nth(ActionId::first_contour_change, 4), "reverse-contours", "Reverse contours",
      "Reverse the order of the contours with a selected sample"},
-    {nth(Id::first_contour_change, 5), "forget-contours", "Forget contours",
+    {nth(ActionId::first_contour_change, 5), "forget-contours", "Forget contours",
      "Remove the contours with a selected sample; the samples stay"},
-    {Id::contours_along_crust, "contours-along-crust", "Contours along the crust",
+    {ActionId::contours_along_crust, "contours-along-crust", "Contours along the crust",
      "Turn chains of the crust into contours: those with a selected sample, or all"},
 });
 
 constexpr auto kToolsRows = std::to_array<Row>({
-    {Id::tool_select, "tool-select", "Select and move",
+    {ActionId::tool_select, "tool-select", "Select and move",
      "Click or drag a box to select; drag a sample or a ball to move it; turn the wheel on a selected ball to change "
      "its radius",
      "V"},
-    {Id::tool_insert, "tool-insert", "Insert", "Click to add a sample; hold the button down to position it", "I"},
-    {Id::tool_spray, "tool-spray", "Spray", "Drag to draw a stroke of evenly spaced samples", "S"},
-    {Id::tool_brush, "tool-brush", "Brush",
+    {ActionId::tool_insert, "tool-insert", "Insert", "Click to add a sample; hold the button down to position it",
+     "I"},
+    {ActionId::tool_spray, "tool-spray", "Spray", "Drag to draw a stroke of evenly spaced samples", "S"},
+    {ActionId::tool_brush, "tool-brush", "Brush",
      "Drag over samples to erase, thin out or refine them along the curve; press again for the next of these three",
      "X"},
-    {Id::brush_erase, "brush-erase", "Erase", "Choose the brush that erases samples, and balls at their centres"},
-    {Id::brush_thin, "brush-thin", "Thin out", "Choose the brush that removes every other sample along the curve"},
-    {Id::brush_refine, "brush-refine", "Refine",
+    {ActionId::brush_erase, "brush-erase", "Erase",
+     "Choose the brush that erases samples, and balls at their centres"},
+    {ActionId::brush_thin, "brush-thin", "Thin out",
+     "Choose the brush that removes every other sample along the curve"},
+    {ActionId::brush_refine, "brush-refine", "Refine",
      "Choose the brush that inserts a sample between neighbours along the curve"},
-    {Id::tool_ball, "tool-ball", "Ball",
+    {ActionId::tool_ball, "tool-ball", "Ball",
      "Press at the centre of a ball and drag to its circle; a click alone does nothing", "B"},
-    {Id::tool_measure, "tool-measure", "Measure",
+    {ActionId::tool_measure, "tool-measure", "Measure",
      "Click two points for their distance, a third for angle and circle; points on samples follow them", "M"},
-    {Id::tool_annotate, "tool-annotate", "Annotate",
+    {ActionId::tool_annotate, "tool-annotate", "Annotate",
      "Click to write on the drawing; drag for an arrow, or from a sample or a vertex for text with a line to it",
      "A"},
-    {Id::keep_measurement, "keep-measurement", "Keep measurement",
+    {ActionId::keep_measurement, "keep-measurement", "Keep measurement",
      "Keep the measurement in the document as a dimension line, an angle or a radius", "K"},
-    {Id::keep_highlight, "keep-highlight", "Keep highlighted",
+    {ActionId::keep_highlight, "keep-highlight", "Keep highlighted",
      "Keep the highlights of the clicked element's card in the document; they follow the samples and balls",
      "Shift+K"},
-    {Id::toggle_snap, "toggle-snap", "Snap",
+    {ActionId::toggle_snap, "toggle-snap", "Snap",
      "Snap inserted or moved points exactly to nearby samples, centres, Voronoi vertices, circles or grid lines; "
      "hold Ctrl to turn it off",
      "Shift+S"},
-    {Id::toggle_handles, "toggle-handles", "Handles of the selection",
+    {ActionId::toggle_handles, "toggle-handles", "Handles of the selection",
      "Show or hide the frame around the selection, whose handles scale, mirror and turn it", "H"},
-    {Id::toggle_insertion_preview, "toggle-insertion-preview", "Preview of an insertion",
+    {ActionId::toggle_insertion_preview, "toggle-insertion-preview", "Preview of an insertion",
      "Show what a sample at the cursor would change: the Delaunay triangles it removes, the edges it adds and its "
      "Voronoi cell",
      "Shift+I"},
 });
 
 constexpr auto kViewRows = std::to_array<Row>({
-    {Id::zoom_in, "zoom-in", "Zoom in", "Magnify at the cursor", "+ =", always, kRepeats},
-    {Id::zoom_out, "zoom-out", "Zoom out", "Shrink at the cursor", "-", always, kRepeats},
-    {Id::fit, "fit", "Fit to view", "Show all samples and balls", "F Home"},
-    {Id::fit_selection, "fit-selection", "Fit selection", "Show the selection", "Shift+F"},
-    {Id::previous_view, "previous-view", "Previous view", "Return to the view before this one", "Alt+Left"},
-    {Id::toggle_panels, "toggle-panels", "All panels", "Hide all panels, or show them again; Esc shows them, too",
-     "Tab"},
-    {Id::toggle_layers, "toggle-layers", "Layers", "Show or hide the list of layers", "L"},
-    {Id::toggle_bundles, "toggle-bundles", "Bundles", "Show or hide the list of bundles", "Shift+L"},
-    {Id::toggle_statistics, "toggle-statistics", "Statistics", "Show or hide counts and times of every structure",
-     "T"},
-    {Id::toggle_parameters, "toggle-parameters", "Parameters", "Show or hide the parameters of the computation", "P"},
-    {Id::toggle_log, "toggle-log", "Log", "Show or hide the messages of the program"},
-    {Id::toggle_selection, "toggle-selection", "Selection in numbers",
+    {ActionId::zoom_in, "zoom-in", "Zoom in", "Magnify at the cursor", "+ =", always, kRepeats},
+    {ActionId::zoom_out, "zoom-out", "Zoom out", "Shrink at the cursor", "-", always, kRepeats},
+    {ActionId::fit, "fit", "Fit to view", "Show all samples and balls", "F Home"},
+    {ActionId::fit_selection, "fit-selection", "Fit selection", "Show the selection", "Shift+F"},
+    {ActionId::previous_view, "previous-view", "Previous view", "Return to the view before this one", "Alt+Left"},
+    {ActionId::toggle_panels, "toggle-panels", "All panels",
+     "Hide all panels, or show them again; Esc shows them, too", "Tab"},
+    {ActionId::toggle_layers, "toggle-layers", "Layers", "Show or hide the list of layers", "L"},
+    {ActionId::toggle_bundles, "toggle-bundles", "Bundles", "Show or hide the list of bundles", "Shift+L"},
+    {ActionId::toggle_statistics, "toggle-statistics", "Statistics",
+     "Show or hide counts and times of every structure", "T"},
+    {ActionId::toggle_parameters, "toggle-parameters", "Parameters", "Show or hide the parameters of the computation",
+     "P"},
+    {ActionId::toggle_log, "toggle-log", "Log", "Show or hide the messages of the program"},
+    {ActionId::toggle_selection, "toggle-selection", "Selection in numbers",
      "Show or hide coordinates and radii of the selection, to set them by number or formula", "N"},
-    {Id::toggle_curves, "toggle-curves", "Curves and their sampling",
+    {ActionId::toggle_curves, "toggle-curves", "Curves and their sampling",
      "Show or hide how the curves of a drawing, map, picture or shape are sampled", "Shift+N"},
-    {Id::curves_of_samples, "curves-of-samples", "Curves through samples",
+    {ActionId::curves_of_samples, "curves-of-samples", "Curves through samples",
      "Lay smooth curves through the samples, in the order of the crust, so that they can be sampled again"},
-    {Id::mark_corners, "mark-corners", "Mark corners", "Annotate each corner of the curves with its angle"},
-    {Id::toggle_branches, "toggle-branches", "Branches of the axis",
+    {ActionId::mark_corners, "mark-corners", "Mark corners", "Annotate each corner of the curves with its angle"},
+    {ActionId::toggle_branches, "toggle-branches", "Branches of the axis",
      "Show or hide the table of the branches of the axis, with histograms of radius and lambda", "Shift+B"},
-    {Id::toggle_persistence, "toggle-persistence", "Persistence diagram",
+    {ActionId::toggle_persistence, "toggle-persistence", "Persistence diagram",
      "Show or hide births and deaths of components and holes as disks around the samples, or balls, grow", "Shift+G"},
-    {Id::toggle_sampling, "toggle-sampling", "Sampling", "Show or hide sampling problems, their locations and fixes"},
-    {Id::toggle_experiments, "toggle-experiments", "Experiments",
+    {ActionId::toggle_sampling, "toggle-sampling", "Sampling",
+     "Show or hide sampling problems, their locations and fixes"},
+    {ActionId::toggle_experiments, "toggle-experiments", "Experiments",
      "Show or hide your own structures, layers, evolutions and shapes, with the messages of the compiler"},
-    {Id::add_experiment, "add-experiment", "Load an experiment...",
+    {ActionId::add_experiment, "add-experiment", "Load an experiment...",
      "Compile and load a C++ source with your own structures; saving the file loads its new version"},
-    {Id::toggle_legend, "toggle-legend", "Legend", "Show or hide the colour bars of layers with a colour map", "C"},
-    {Id::toggle_key, "toggle-key", "Key of layers",
+    {ActionId::toggle_legend, "toggle-legend", "Legend", "Show or hide the colour bars of layers with a colour map",
+     "C"},
+    {ActionId::toggle_key, "toggle-key", "Key of layers",
      "Show or hide the names of all visible layers, with a sample of how each is drawn"},
-    {Id::toggle_scale_bar, "toggle-scale-bar", "Scale bar",
+    {ActionId::toggle_scale_bar, "toggle-scale-bar", "Scale bar",
      "Show or hide a bar of a round length, labelled in units of the samples"},
-    {Id::toggle_axes, "toggle-axes", "Axes", "Show or hide numbers along the bottom and left edges"},
-    {Id::toggle_grid, "toggle-grid", "Grid", "Show or hide faint lines at the round numbers of the axes", "G"},
-    {Id::toggle_annotations, "toggle-annotations", "Annotations",
+    {ActionId::toggle_axes, "toggle-axes", "Axes", "Show or hide numbers along the bottom and left edges"},
+    {ActionId::toggle_grid, "toggle-grid", "Grid", "Show or hide faint lines at the round numbers of the axes", "G"},
+    {ActionId::toggle_annotations, "toggle-annotations", "Annotations",
      "Show or hide text, arrows, dimensions and highlights added to the drawing"},
-    {Id::put_marks_back, "put-marks-back", "Reset legend and scale bar",
+    {ActionId::put_marks_back, "put-marks-back", "Reset legend and scale bar",
      "Move the legend and the scale bar, where they were dragged, back to their default positions"},
-    {Id::add_pane, "add-pane", "Add a pane",
+    {ActionId::add_pane, "add-pane", "Add a pane",
      "Show the same view again beside it, with another number type, parameter, family of balls, bundle or version of "
      "the document; at most four panes",
      "F6"},
-    {Id::close_panes, "close-panes", "Close panes", "Close all panes but the main one", "Shift+F6"},
-    {Id::toggle_free_cameras, "toggle-free-cameras", "Free cameras of panes",
+    {ActionId::close_panes, "close-panes", "Close panes", "Close all panes but the main one", "Shift+F6"},
+    {ActionId::toggle_free_cameras, "toggle-free-cameras", "Free cameras of panes",
      "Zoom and pan each pane separately; when locked again, all show the view of the main pane", "Alt+F6"},
-    {Id::toggle_differences, "toggle-differences", "Mark differences", "Mark in each pane what another pane lacks",
-     "Ctrl+F6"},
-    {Id::toggle_evolution, "toggle-evolution", "Evolution",
+    {ActionId::toggle_differences, "toggle-differences", "Mark differences",
+     "Mark in each pane what another pane lacks", "Ctrl+F6"},
+    {ActionId::toggle_evolution, "toggle-evolution", "Evolution",
      "Show or hide the evolution slider: smooth, subdivide and others, step by step", "E"},
-    {Id::toggle_theme, "toggle-theme", "Dark theme",
+    {ActionId::toggle_theme, "toggle-theme", "Dark theme",
      "Switch between dark and light panels; the canvas follows unless it has its own colour", "Shift+D"},
-    {Id::projector_mode, "projector-mode", "Projector mode", "Use larger text and lines, and the strongest contrast",
-     "Shift+P"},
-    {Id::presenter_mode, "presenter-mode", "Presenter mode",
+    {ActionId::projector_mode, "projector-mode", "Projector mode",
+     "Use larger text and lines, and the strongest contrast", "Shift+P"},
+    {ActionId::presenter_mode, "presenter-mode", "Presenter mode",
      "Fill the screen with the drawing, show pressed keys and a large pointer; bundles are the slides, changed with "
      "the "
      "Page keys",
      "F5"},
-    {Id::full_screen, "full-screen", "Full screen", "Fill the screen with the window, or show it at its former size",
-     "F11"},
+    {ActionId::full_screen, "full-screen", "Full screen",
+     "Fill the screen with the window, or show it at its former size", "F11"},
 });
 
 constexpr auto kBundleRows = std::to_array<Row>({
-    {Id::next_bundle, "next-bundle", "Next bundle",
+    {ActionId::next_bundle, "next-bundle", "Next bundle",
      "Show the layers as in the bundle below; in a lesson, go to the next step", "PageDown"},
-    {Id::previous_bundle, "previous-bundle", "Previous bundle",
+    {ActionId::previous_bundle, "previous-bundle", "Previous bundle",
      "Show the layers as in the bundle above; in a lesson, go back a step", "PageUp"},
-    {Id::balls_inner, "balls-inner", "Inner balls",
+    {ActionId::balls_inner, "balls-inner", "Inner balls",
      "Switch the union layers to the balls around the Voronoi vertices inside the curve"},
-    {Id::balls_polar, "balls-polar", "Polar balls",
+    {ActionId::balls_polar, "balls-polar", "Polar balls",
      "Switch the union layers to the balls around the inner poles of the samples"},
-    {Id::balls_own, "balls-own", "Own balls",
+    {ActionId::balls_own, "balls-own", "Own balls",
      "Switch the union layers to the balls that you drew or read from a file"},
-    {Id::save_bundle, "save-bundle", "Save bundle...", "Save the layers, their order and styles under a name",
+    {ActionId::save_bundle, "save-bundle", "Save bundle...", "Save the layers, their order and styles under a name",
      "Ctrl+B"},
-    {Id::import_bundles, "import-bundles", "Import bundles...",
+    {ActionId::import_bundles, "import-bundles", "Import bundles...",
      "Add the bundles of a file, .json or the .bnd of 2007 and 2009"},
-    {Id::export_bundles, "export-bundles", "Export bundles...", "Write all bundles to a file"},
-    {Id::undo_bundles, "undo-bundles", "Undo change of bundles", "Undo the last change to the list of bundles"},
+    {ActionId::export_bundles, "export-bundles", "Export bundles...", "Write all bundles to a file"},
+    {ActionId::undo_bundles, "undo-bundles", "Undo change of bundles", "Undo the last change to the list of bundles"},
 });
 
 constexpr auto kComputeRows = std::to_array<Row>({
-    {Id::cancel_computation, "cancel", "Cancel computation", "Stop computing; the present results stay on screen",
-     "Ctrl+."},
-    {Id::resume_computation, "resume", "Resume computation", "Compute what was cancelled"},
-    {Id::hold_update, "hold-update", "Hold the update",
+    {ActionId::cancel_computation, "cancel", "Cancel computation",
+     "Stop computing; the present results stay on screen", "Ctrl+."},
+    {ActionId::resume_computation, "resume", "Resume computation", "Compute what was cancelled"},
+    {ActionId::hold_update, "hold-update", "Hold the update",
      "Edit while all structures stay as they are; when released, they update at once. Holding W or Alt while "
      "dragging does the same",
      "Ctrl+H"},
-    {Id::precision_naive, "precision-naive", "Naive: plain doubles",
+    {ActionId::precision_naive, "precision-naive", "Naive: plain doubles",
      "Use floating-point numbers without exact decisions; results for degenerate input are wrong, which shows why "
      "exact decisions matter"},
-    {Id::precision_fast, "precision-fast", "Fast: exact decisions on doubles",
+    {ActionId::precision_fast, "precision-fast", "Fast: exact decisions on doubles",
      "Decide exactly on the samples, and round constructed points to doubles"},
-    {Id::precision_exact, "precision-exact", "Exact: rationals",
+    {ActionId::precision_exact, "precision-exact", "Exact: rationals",
      "Compute constructed points with rational numbers, and with roots where they are needed"},
-    {Id::precision_exact_roots, "precision-exact-roots", "Exact with roots",
+    {ActionId::precision_exact_roots, "precision-exact-roots", "Exact with roots",
      "Use algebraic numbers throughout; slow, the reference for the others"},
-    {Id::toggle_union_shortcut, "toggle-union-shortcut", "Certified shortcut for unions",
+    {ActionId::toggle_union_shortcut, "toggle-union-shortcut", "Certified shortcut for unions",
      "Compute unions of inner and polar balls exactly even in fast, and in a shorter way where that is certified; "
      "off: compute them by the general pipeline in the number type"},
-    {Id::toggle_pole_propagation, "toggle-pole-propagation", "Pole labels by propagation",
+    {ActionId::toggle_pole_propagation, "toggle-pole-propagation", "Pole labels by propagation",
      "Spread the labels from pole to pole, as Amenta, Choi and Kolluri do; off: label poles by their triangles"},
 });
 
 constexpr auto kEvolutionRows = std::to_array<Row>({
-    {Id::evolution_first, "evolution-first", "Back to the beginning",
+    {ActionId::evolution_first, "evolution-first", "Back to the beginning",
      "Show the samples as they were before the evolution"},
-    {Id::evolution_play_back, "evolution-play-back", "Play backwards", "Undo the steps of the evolution one by one"},
-    {Id::evolution_back, "evolution-back", "Step back", "Show the state of the evolution before this one",
+    {ActionId::evolution_play_back, "evolution-play-back", "Play backwards",
+     "Undo the steps of the evolution one by one"},
+    {ActionId::evolution_back, "evolution-back", "Step back", "Show the state of the evolution before this one",
      "[ Ctrl+Left", always, kRepeats},
-    {Id::evolution_stop, "evolution-stop", "Stop the evolution", "Stop playing and abandon the step being computed"},
-    {Id::evolution_forward, "evolution-forward", "Step forward", "Take the next step of the evolution",
+    {ActionId::evolution_stop, "evolution-stop", "Stop the evolution",
+     "Stop playing and abandon the step being computed"},
+    {ActionId::evolution_forward, "evolution-forward", "Step forward", "Take the next step of the evolution",
      "] Ctrl+Right", always, kRepeats},
-    {Id::evolution_play, "evolution-play", "Play the evolution",
+    {ActionId::evolution_play, "evolution-play", "Play the evolution",
      "Take step after step, each as soon as the previous picture is complete"},
-    {Id::evolution_previous, "evolution-previous", "Previous evolution",
+    {ActionId::evolution_previous, "evolution-previous", "Previous evolution",
      "Choose the previous evolution, which begins from the samples shown", "Ctrl+Up"},
-    {Id::evolution_next, "evolution-next", "Next evolution",
+    {ActionId::evolution_next, "evolution-next", "Next evolution",
      "Choose the next evolution, which begins from the samples shown", "Ctrl+Down"},
 });
 
 constexpr auto kHelpRows = std::to_array<Row>({
-    {Id::toggle_lesson, "toggle-lesson", "Steps of the lesson",
+    {ActionId::toggle_lesson, "toggle-lesson", "Steps of the lesson",
      "Show or hide the panel for making a lesson: its steps, their order and their captions"},
-    {Id::mark_step, "mark-step", "Mark a step",
+    {ActionId::mark_step, "mark-step", "Mark a step",
      "Add the present state to the lesson as a step, after the chosen one, or at the end if none is chosen"},
-    {Id::present_lesson, "present-lesson", "Present the lesson",
+    {ActionId::present_lesson, "present-lesson", "Present the lesson",
      "Step through the lesson of the session with the Page keys, while its samples can be edited; Esc ends it and "
      "restores the document",
      "Shift+F5"},
-    {Id::export_lesson, "export-lesson", "Export the lesson...",
+    {ActionId::export_lesson, "export-lesson", "Export the lesson...",
      "Write the steps of the lesson to a file: PDF, HTML, or a video as MP4 or WebM, by the end of its name"},
-    {Id::demo, "demo", "Demo", "Play the paper's video, computed live; Esc ends it"},
-    {Id::classic_keys, "classic-keys", "Classic Mesecina keys",
+    {ActionId::demo, "demo", "Demo", "Play the paper's video, computed live; Esc ends it"},
+    {ActionId::classic_keys, "classic-keys", "Classic Mesecina keys",
      "Switch between the keys of the program of 2007 and those of this one; the manual lists the differences"},
-    {Id::write_keys, "write-keys", "Write or reread the file of keys",
+    {ActionId::write_keys, "write-keys", "Write or reread the file of keys",
      "Write a file of all commands and their keys, to edit by hand; if it exists already, read the keys from it "
      "again"},
-    {Id::command_palette, "command-palette", "Find anything...",
+    {ActionId::command_palette, "command-palette", "Find anything...",
      "Find a command, layer, bundle, parameter, evolution, shape, recent file or heading of the manual by some "
      "letters of its name or by another word for it",
      "Ctrl+Shift+P Ctrl+K"},
-    {Id::help, "help", "Keys and gestures", "Show every key", "? F1"},
-    {Id::manual, "manual", "Manual", "Read and search the manual: keys, layers, parameters, files, the command line",
-     "Shift+F1"},
+    {ActionId::help, "help", "Keys and gestures", "Show every key", "? F1"},
+    {ActionId::manual, "manual", "Manual",
+     "Read and search the manual: keys, layers, parameters, files, the command line", "Shift+F1"},
 });
 
-using Table = std::vector<ActionDescriptor>;
+using ActionTable = std::vector<ActionDescriptor>;
 
 std::vector<std::string_view> separated(std::string_view words) {
   std::vector<std::string_view> out;
@@ -334,13 +345,13 @@ std::vector<std::string_view> separated(std::string_view words) {
   return out;
 }
 
-void add(Table& table, ActionGroup group, std::span<const Row> rows) {
+void add(ActionTable& table, ActionGroup group, std::span<const Row> rows) {
   for (const Row& row : rows)
     table.push_back({row.id, std::string(row.public_id), std::string(row.name), std::string(row.tooltip), group,
                      row.context, row.repeats, separated(row.keys)});
 }
 
-void add_nudges(Table& table) {
+void add_nudges(ActionTable& table) {
   struct Direction {
     std::string name;
     std::string_view key;
@@ -353,7 +364,7 @@ void add_nudges(Table& table) {
   for (std::size_t i = 0; i < kNudges; ++i) {
     const Direction& to = directions[i % directions.size()];
     const bool is_far = i >= directions.size();
-    table.push_back({nth(Id::first_nudge, i),
+    table.push_back({nth(ActionId::first_nudge, i),
                      "nudge-" + to.name + (is_far ? "-far" : ""),
                      "Nudge " + to.name + (is_far ? " by ten" : ""),
                      std::string("Move the selection by ") + (is_far ? "ten pixels" : "one pixel") + " of the screen",
@@ -364,13 +375,13 @@ void add_nudges(Table& table) {
   }
 }
 
-void add_bundles(Table& table) {
+void add_bundles(ActionTable& table) {
   constexpr std::string_view kDigits = "123456789";
   constexpr std::array<std::string_view, kNumberedBundles> kOrdinals{"first", "second",  "third",  "fourth", "fifth",
                                                                      "sixth", "seventh", "eighth", "ninth"};
   for (std::size_t i = 0; i < kNumberedBundles; ++i) {
     const std::string_view digit = kDigits.substr(i, 1);
-    table.push_back({nth(Id::first_bundle, i),
+    table.push_back({nth(ActionId::first_bundle, i),
                      "bundle-" + std::string(digit),
                      "Bundle " + std::string(digit),
                      "Show the layers as in the " + std::string(kOrdinals[i]) + " bundle",
@@ -381,8 +392,8 @@ void add_bundles(Table& table) {
   }
 }
 
-Table make_table() {
-  Table out;
+ActionTable make_table() {
+  ActionTable out;
   out.reserve(kActionCount);
   add(out, file, kFileRows);
   add(out, edit, kEditRows);
@@ -406,21 +417,21 @@ std::string_view title_of(ActionGroup group) {
 
 bool works_at_any_time(ActionId id) {
   switch (id) {
-    case Id::snapshot:
-    case Id::copy_picture:
-    case Id::record:
-    case Id::toggle_snap:
-    case Id::zoom_in:
-    case Id::zoom_out:
-    case Id::cancel_computation:
-    case Id::resume_computation:
-    case Id::hold_update: return true;
+    case ActionId::snapshot:
+    case ActionId::copy_picture:
+    case ActionId::record:
+    case ActionId::toggle_snap:
+    case ActionId::zoom_in:
+    case ActionId::zoom_out:
+    case ActionId::cancel_computation:
+    case ActionId::resume_computation:
+    case ActionId::hold_update: return true;
     default: return false;
   }
 }
 
 std::span<const ActionDescriptor> action_descriptors() {
-  static const Table table = make_table();
+  static const ActionTable table = make_table();
   return table;
 }
 

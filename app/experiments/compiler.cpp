@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view kFlagsMark = "// mesecina-flags:";
 
-std::vector<std::string> words_of(std::string_view text) {
+std::vector<std::string> arguments_of(std::string_view text) {
   std::istringstream in{std::string(text)};
   std::vector<std::string> out;
   for (std::string word; in >> word;) out.push_back(word);
@@ -143,13 +143,13 @@ std::string identity_of(const std::string& program) {
 }
 
 /// The words of a command before and after the files.
-struct Words {
+struct CommandWords {
   std::vector<std::string> before;
   std::vector<std::string> after;
 };
 
-Words words_for(const Compiler& compiler, std::string_view text) {
-  Words out{.before = compiler.command, .after = {}};
+CommandWords words_for(const Compiler& compiler, std::string_view text) {
+  CommandWords out{.before = compiler.command, .after = {}};
   for (const char* word : {"-std=c++20", "-O2", "-fPIC", "-shared", "-fvisibility=hidden", "-Wall", "-I"})
     out.before.emplace_back(word);
   out.before.push_back(compiler.headers.string());
@@ -157,14 +157,15 @@ Words words_for(const Compiler& compiler, std::string_view text) {
   if (compiler.command.front().find("clang") == std::string::npos) out.before.emplace_back("-fno-gnu-unique");
   for (std::size_t at = text.find(kFlagsMark); at != std::string_view::npos; at = text.find(kFlagsMark, at + 1)) {
     const std::size_t begin = at + kFlagsMark.size();
-    for (std::string& word : words_of(text.substr(begin, text.find('\n', begin) - begin)))
+    for (std::string& word : arguments_of(text.substr(begin, text.find('\n', begin) - begin)))
       out.after.push_back(std::move(word));
   }
   return out;
 }
 
 /// A name that differs for another text, path, option list, compiler or version of the program.
-std::string cache_name(const Compiler& compiler, const Words& words, const fs::path& source, std::string_view text) {
+std::string cache_name(const Compiler& compiler, const CommandWords& words, const fs::path& source,
+                       std::string_view text) {
   std::string identity =
       identity_of(compiler.command.front()) + '\n' + source.string() + '\n' + MESECINA_VERSION "\n";
   for (const auto* several : {&words.before, &words.after})
@@ -212,8 +213,8 @@ std::vector<CompilerMessage> compiler_messages(std::string_view output) {
 Expected<Compiler> Compiler::find(std::string_view wanted) {
   Compiler out;
   const auto failure = [](std::string text) { return std::unexpected(Error{ErrorCode::bad_input, std::move(text)}); };
-  out.command = words_of(wanted);
-  if (out.command.empty()) out.command = words_of(environment("CXX"));
+  out.command = arguments_of(wanted);
+  if (out.command.empty()) out.command = arguments_of(environment("CXX"));
   for (const char* name : {"g++", "clang++", "c++"})
     if (out.command.empty() && is_program_on_path(name)) out.command = {name};
   if (out.command.empty()) return failure("there is no C++ compiler; install g++ or name one by CXX");
@@ -241,7 +242,7 @@ Expected<CompiledExperiment> compile_experiment(const Compiler& compiler, const 
   fs::create_directories(compiler.cache, error);
   if (error) return failure(ErrorCode::cannot_write, compiler.cache.string() + ": " + error.message());
 
-  const Words words = words_for(compiler, *text);
+  const CommandWords words = words_for(compiler, *text);
   const std::string name = cache_name(compiler, words, full, *text);
   const fs::path library = compiler.cache / (name + ".so");
   const fs::path inputs = compiler.cache / (name + ".inputs");

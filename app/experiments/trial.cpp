@@ -51,7 +51,7 @@ std::vector<std::vector<Vec2>> documents() {
   return out;
 }
 
-void compute(const Registry& registry, const ExperimentContents& added) {
+void compute_all(const Registry& registry, const ExperimentContents& added) {
   const std::vector<std::string_view> structures(added.structures.begin(), added.structures.end());
   const std::vector<std::string_view> layers(added.layers.begin(), added.layers.end());
   Rng rng(1);
@@ -126,7 +126,7 @@ int run_trial(const Registry& registry, const fs::path& library) {
   const auto added = loaded->add_to(changed);
   if (!added) return 0;
   try {
-    compute(changed, *added);
+    compute_all(changed, *added);
     evolve(changed, *added);
     make_shapes(changed, *added);
   } catch (const std::exception& error) {

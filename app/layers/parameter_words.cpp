@@ -10,7 +10,7 @@ namespace {
 
 using Words = std::string_view;
 
-std::string words_of(Words id) {
+std::string spaced(Words id) {
   std::string out(id);
   std::ranges::replace(out, '-', ' ');
   return out;
@@ -24,7 +24,7 @@ void replace(std::string& text, Words what, Words by) {
 
 std::string title_of(const Parameter& descriptor) {
   if (!descriptor.title.empty()) return std::string(descriptor.title);
-  std::string out = words_of(descriptor.id);
+  std::string out = spaced(descriptor.id);
   if (!out.empty()) out[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(out[0])));
   return out;
 }

@@ -22,7 +22,7 @@ namespace {
 using nlohmann::json;
 namespace fs = std::filesystem;
 
-constexpr int kSchema = 1;
+constexpr int kTakeSchema = 1;
 // More equal names than this within one second are an error.
 constexpr int kMostTwins = 10'000;
 
@@ -71,7 +71,7 @@ Expected<Manifest> read_manifest(const fs::path& file) {
   const json object = bytes ? json::parse(*bytes, nullptr, false) : json();
   if (!object.is_object())
     return std::unexpected(Error{ErrorCode::bad_input, "not a manifest of a take", file.string()});
-  if (value_of(object, "schema", 0) != kSchema)
+  if (value_of(object, "schema", 0) != kTakeSchema)
     return std::unexpected(Error{ErrorCode::bad_input, "a manifest of another version", file.string()});
   Manifest out;
   out.format = {value_of(object, "width", 0), value_of(object, "height", 0), value_of(object, "fps", 0.0)};
@@ -136,12 +136,9 @@ std::string manifest_text(const Manifest& manifest) {
                       {"document", hex(frame.document)},
                       {"seconds", frame.seconds}});
   }
-  json object = {{"schema", kSchema},
-                 {"version", MESECINA_VERSION},
-                 {"width", manifest.format.width},
-                 {"height", manifest.format.height},
-                 {"fps", manifest.format.fps},
-                 {"complete", manifest.complete},
+  json object = {{"schema", kTakeSchema},          {"version", MESECINA_VERSION},
+                 {"width", manifest.format.width}, {"height", manifest.format.height},
+                 {"fps", manifest.format.fps},     {"complete", manifest.complete},
                  {"frames", std::move(frames)}};
   if (!manifest.problem.empty()) object["problem"] = manifest.problem;
   if (!manifest.session.empty()) object[std::string(kCarriedSession)] = base64(manifest.session);

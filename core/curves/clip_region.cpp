@@ -20,8 +20,8 @@ using ClipperLib::cInt;
 
 /// Bounds in grid steps, both inclusive.
 struct GridBox {
-  GridPoint low;
-  GridPoint high;
+  ClipperPoint low;
+  ClipperPoint high;
 };
 
 /// Whether the boxes of so many pairs of pieces overlap that Clipper would have crossings by the million to compute.
@@ -52,7 +52,7 @@ bool overlap_too_often(std::span<const PlaneCurve> curves) {
 GridBox grid_box(const GridPaths& paths) {
   GridBox out{paths.front().front(), paths.front().front()};
   for (const GridPath& path : paths)
-    for (const GridPoint p : path) {
+    for (const ClipperPoint p : path) {
       out.low = {std::min(out.low.X, p.X), std::min(out.low.Y, p.Y)};
       out.high = {std::max(out.high.X, p.X), std::max(out.high.Y, p.Y)};
     }
@@ -91,8 +91,8 @@ template <class Inside, class Crossing>
 GridPath cut_off(const GridPath& path, Inside is_inside, Crossing crossing) {
   GridPath out;
   for (std::size_t i = 0; i < path.size(); ++i) {
-    const GridPoint from = path[i];
-    const GridPoint to = path[(i + 1) % path.size()];
+    const ClipperPoint from = path[i];
+    const ClipperPoint to = path[(i + 1) % path.size()];
     if (is_inside(from)) out.push_back(from);
     if (is_inside(from) != is_inside(to)) out.push_back(crossing(from, to));
   }
@@ -112,19 +112,19 @@ GridPaths cropped(const GridPaths& paths, GridBox box, double room) {
   for (const GridPath& path : paths) {
     GridPath rest = path;
     const auto at_x = [](cInt x) {
-      return [x](GridPoint a, GridPoint b) { return GridPoint{x, at_level(x, a.X, b.X, a.Y, b.Y)}; };
+      return [x](ClipperPoint a, ClipperPoint b) { return ClipperPoint{x, at_level(x, a.X, b.X, a.Y, b.Y)}; };
     };
     const auto at_y = [](cInt y) {
-      return [y](GridPoint a, GridPoint b) { return GridPoint{at_level(y, a.Y, b.Y, a.X, b.X), y}; };
+      return [y](ClipperPoint a, ClipperPoint b) { return ClipperPoint{at_level(y, a.Y, b.Y, a.X, b.X), y}; };
     };
     rest = cut_off(
-        rest, [&](GridPoint p) { return p.X >= box.low.X; }, at_x(box.low.X));
+        rest, [&](ClipperPoint p) { return p.X >= box.low.X; }, at_x(box.low.X));
     rest = cut_off(
-        rest, [&](GridPoint p) { return p.X <= box.high.X; }, at_x(box.high.X));
+        rest, [&](ClipperPoint p) { return p.X <= box.high.X; }, at_x(box.high.X));
     rest = cut_off(
-        rest, [&](GridPoint p) { return p.Y >= box.low.Y; }, at_y(box.low.Y));
+        rest, [&](ClipperPoint p) { return p.Y >= box.low.Y; }, at_y(box.low.Y));
     rest = cut_off(
-        rest, [&](GridPoint p) { return p.Y <= box.high.Y; }, at_y(box.high.Y));
+        rest, [&](ClipperPoint p) { return p.Y <= box.high.Y; }, at_y(box.high.Y));
     if (rest.size() >= 3) out.push_back(std::move(rest));
   }
   return out;
@@ -168,7 +168,7 @@ struct ClipRegion::Body {
     return out;
   }
   /// For a point in the box of no side: then each side at its height lies entirely to its left or to its right.
-  bool holds(GridPoint p) const {
+  bool holds(ClipperPoint p) const {
     const Vec2 at = as_vec(p);
     bool out = false;
     const auto is_beside = [&](const Box2& box, double) {
@@ -183,7 +183,7 @@ struct ClipRegion::Body {
 
   GridPaths outline;  // boundaries, each once; those of holes in reverse direction
   FlatCurves curves;
-  std::vector<std::pair<GridPoint, GridPoint>> sides;
+  std::vector<std::pair<ClipperPoint, ClipperPoint>> sides;
   BoxTree<std::uint32_t> tree;
 };
 

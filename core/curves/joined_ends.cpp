@@ -15,9 +15,9 @@ namespace {
 constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 
 /// Ends of curves: 2 i is the start of curve i, and 2 i + 1 its end.
-class Ends {
+class CurveEnds {
  public:
-  Ends(const std::vector<PlaneCurve>& curves, double tolerance)
+  CurveEnds(const std::vector<PlaneCurve>& curves, double tolerance)
       : curves_(curves), tolerance_(tolerance), origin_(curves.empty() ? Vec2{} : curves.front().start()) {
     for (std::size_t i = 0; i < curves.size(); ++i) {
       if (curves[i].is_closed()) continue;
@@ -146,7 +146,7 @@ PlaneCurve reversed(const PlaneCurve& curve) {
 
 std::vector<PlaneCurve> joined_ends(std::vector<PlaneCurve> curves, double tolerance) {
   if (!(tolerance > 0.0)) return curves;
-  const Ends ends(curves, tolerance);
+  const CurveEnds ends(curves, tolerance);
   // Ends are joined only if each is the partner of the other: nearness is not transitive.
   const auto partner = [&](std::size_t end) {
     const std::size_t other = ends.partner_of(end);

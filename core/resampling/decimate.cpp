@@ -13,7 +13,7 @@ namespace mes {
 namespace {
 
 /// The fewest samples that a thinned loop keeps.
-constexpr std::size_t kSmallestLoop = 4;
+constexpr std::size_t kFewestOfLoop = 4;
 
 /// A chain with some of its samples left out.
 class ThinnedChain {
@@ -29,7 +29,7 @@ class ThinnedChain {
   /// Walks from each kept sample to the farthest next one that half the distance allows, and drops those between.
   void thin(std::span<const Vec2> positions, const std::vector<double>& sizes, double epsilon) {
     const std::size_t n = size();
-    if (n <= kSmallestLoop) return;
+    if (n <= kFewestOfLoop) return;
     const std::size_t first = start(sizes);
     const std::size_t end = chain_->closed ? first + n : n - 1;
     for (std::size_t from = first; from < end;) {
@@ -42,8 +42,8 @@ class ThinnedChain {
       for (std::size_t i = from + 1; i < to; ++i) is_kept_[i % n] = false;
       from = to;
     }
-    if (!chain_->closed || static_cast<std::size_t>(std::ranges::count(is_kept_, true)) >= kSmallestLoop) return;
-    for (std::size_t i = 0; i < kSmallestLoop; ++i) keep(first + i * n / kSmallestLoop);
+    if (!chain_->closed || static_cast<std::size_t>(std::ranges::count(is_kept_, true)) >= kFewestOfLoop) return;
+    for (std::size_t i = 0; i < kFewestOfLoop; ++i) keep(first + i * n / kFewestOfLoop);
   }
 
   /// Calls `visit(i, j)` for each two successive kept indices; j may lie beyond the end of a loop.

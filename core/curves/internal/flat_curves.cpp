@@ -60,7 +60,7 @@ GridPath FlatCurves::add(const PlaneCurve& curve, bool closes) {
   const Box2 box = control_box(curve);
   const double tolerance = std::max(kFlatness * std::max(box.width(), box.height()), grid_);
   if (!curve.is_polyline()) tolerance_ = std::max(tolerance_, tolerance / grid_);
-  const auto rounded = [&](Vec2 p) { return GridPoint{std::llround(p.x / grid_), std::llround(p.y / grid_)}; };
+  const auto rounded = [&](Vec2 p) { return ClipperPoint{std::llround(p.x / grid_), std::llround(p.y / grid_)}; };
   GridPath out{rounded(curve.start())};
   const auto add_piece = [&](const Piece& piece) {
     const auto number = static_cast<std::uint32_t>(pieces_.size());
@@ -70,7 +70,7 @@ GridPath FlatCurves::add(const PlaneCurve& curve, bool closes) {
     double begin = 0.0;
     for (int i = 1; i <= steps; ++i) {
       const double end = static_cast<double>(i) / steps;
-      const GridPoint to = rounded(piece.at(end));
+      const ClipperPoint to = rounded(piece.at(end));
       if (to == out.back()) continue;
       sides_.push_back({out.back(), to, number, begin, end});
       out.push_back(to);
@@ -107,14 +107,14 @@ void FlatCurves::build() {
       [](std::uint32_t, std::uint32_t) {});
 }
 
-std::size_t FlatCurves::looks_at(GridPoint corner) const {
+std::size_t FlatCurves::looks_at(ClipperPoint corner) const {
   std::size_t out = 0;
   tree_.visit_where([p = as_vec(corner)](const Box2& box, double) { return box.contains(p); },
                     [&out](std::uint32_t) { ++out; });
   return out;
 }
 
-std::vector<SideAt> FlatCurves::sides_at(GridPoint corner, double reach) const {
+std::vector<SideAt> FlatCurves::sides_at(ClipperPoint corner, double reach) const {
   std::vector<SideAt> out;
   const Vec2 p = as_vec(corner);
   const auto may_hold = [&](const Box2& box, double) {

@@ -12,21 +12,21 @@
 
 namespace mes {
 
-using GridPoint = ClipperLib::IntPoint;
+using ClipperPoint = ClipperLib::IntPoint;
 using GridPath = ClipperLib::Path;
 using GridPaths = ClipperLib::Paths;
 
 /// A corner within this many grid steps of a side counts as on it: Clipper rounds each crossing to the grid.
 inline constexpr double kOnSide = 3.0;
 
-inline Vec2 as_vec(GridPoint p) {
+inline Vec2 as_vec(ClipperPoint p) {
   return {static_cast<double>(p.X), static_cast<double>(p.Y)};
 }
 
 /// A straight side that stands for part of a piece, between two parameters.
 struct FlatSide {
-  GridPoint from;
-  GridPoint to;
+  ClipperPoint from;
+  ClipperPoint to;
   std::uint32_t piece = 0;
   double begin = 0.0;
   double end = 0.0;
@@ -52,14 +52,14 @@ class FlatCurves {
   void build();
 
   /// Sides within `reach` grid steps of the corner.
-  std::vector<SideAt> sides_at(GridPoint corner, double reach = kOnSide) const;
+  std::vector<SideAt> sides_at(ClipperPoint corner, double reach = kOnSide) const;
   /// How many sides `sides_at` looks at.
-  std::size_t looks_at(GridPoint corner) const;
+  std::size_t looks_at(ClipperPoint corner) const;
 
   double grid() const { return grid_; }
   /// Largest distance between polygons and their curves, in grid steps.
   double tolerance() const { return tolerance_; }
-  Vec2 place_of(GridPoint p) const { return grid_ * as_vec(p); }
+  Vec2 place_of(ClipperPoint p) const { return grid_ * as_vec(p); }
   const FlatSide& side(std::uint32_t i) const { return sides_[i]; }
   const Piece& piece(std::uint32_t i) const { return pieces_[i]; }
   /// Index of the curve of a piece, in the order of adding.

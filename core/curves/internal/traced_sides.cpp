@@ -73,7 +73,7 @@ Piece backwards(Piece piece) {
 
 }  // namespace
 
-SideTracer::Corner SideTracer::corner_at(GridPoint place) const {
+SideTracer::Corner SideTracer::corner_at(ClipperPoint place) const {
   Corner out{place, subject_.sides_at(place), {}};
   if (region_ != nullptr) out.region = region_->sides_at(place);
   return out;
@@ -165,7 +165,7 @@ void SideTracer::meet(TracedRun& one, TracedRun& next) const {
 
 TracedPath SideTracer::closed(const GridPath& path) const {
   std::vector<Corner> corners;
-  for (const GridPoint p : path) corners.push_back(corner_at(p));
+  for (const ClipperPoint p : path) corners.push_back(corner_at(p));
   TracedPath out;
   out.runs = runs_along(corners, true);
   for (std::size_t i = 0; i < out.runs.size(); ++i) meet(out.runs[i], out.runs[(i + 1) % out.runs.size()]);
@@ -173,7 +173,7 @@ TracedPath SideTracer::closed(const GridPath& path) const {
   return out;
 }
 
-Vec2 SideTracer::end_at_region(TracedRun& run, bool at_its_end, GridPoint place, double reach) const {
+Vec2 SideTracer::end_at_region(TracedRun& run, bool at_its_end, ClipperPoint place, double reach) const {
   if (run.of == nullptr) return subject_.place_of(place);
   double& parameter = at_its_end ? run.end : run.begin;
   const Piece& piece = run.of->piece(run.piece);
@@ -192,7 +192,7 @@ Vec2 SideTracer::end_at_region(TracedRun& run, bool at_its_end, GridPoint place,
 
 TracedPath SideTracer::open(const GridPath& path, double reach) const {
   std::vector<Corner> corners;
-  for (const GridPoint p : path) corners.push_back({p, subject_.sides_at(p), {}});
+  for (const ClipperPoint p : path) corners.push_back({p, subject_.sides_at(p), {}});
   TracedPath out;
   if (corners.size() < 2) return out;
   out.runs = runs_along(corners, false);

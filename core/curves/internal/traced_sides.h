@@ -40,15 +40,15 @@ class SideTracer {
 
  private:
   struct Corner {
-    GridPoint place;
+    ClipperPoint place;
     std::vector<SideAt> subject;
     std::vector<SideAt> region;
   };
-  Corner corner_at(GridPoint place) const;
+  Corner corner_at(ClipperPoint place) const;
   TracedRun run_between(const Corner& from, const Corner& to, const TracedRun* before) const;
   std::vector<TracedRun> runs_along(const std::vector<Corner>& corners, bool is_closed) const;
   void meet(TracedRun& one, TracedRun& next) const;
-  Vec2 end_at_region(TracedRun& run, bool at_its_end, GridPoint place, double reach) const;
+  Vec2 end_at_region(TracedRun& run, bool at_its_end, ClipperPoint place, double reach) const;
 
   const FlatCurves& subject_;
   const FlatCurves* region_;

@@ -16,8 +16,8 @@ namespace {
 constexpr std::size_t kParameters = 5;
 // In pixels. On a nearly exact circle any sample could become an end of the axis.
 constexpr double kLeastDifference = 1e-3;
-using Row = std::array<double, kParameters>;
-using Matrix = std::array<Row, kParameters>;
+using MatrixRow = std::array<double, kParameters>;
+using Matrix = std::array<MatrixRow, kParameters>;
 
 /// The points where a quadratic form of the offset from the centre is one.
 struct Conic {
@@ -63,7 +63,7 @@ std::optional<Conic> by_moments(std::span<const Edge> edges) {
 /// The distance of an edge from the conic, to first order, and its derivatives by the parameters.
 struct Beside {
   Residual residual{};
-  Row derivative{};
+  MatrixRow derivative{};
   double curvature = 0.0;
   double across = 0.0;  // share of the normal along the line of pixels
 };
@@ -89,7 +89,7 @@ Beside beside(const Conic& conic, const Edge& edge) {
   return out;
 }
 
-std::optional<Row> solved(Matrix a, Row b) {
+std::optional<MatrixRow> solved(Matrix a, MatrixRow b) {
   for (std::size_t i = 0; i < kParameters; ++i) {
     if (!(a[i][i] > 0.0)) return std::nullopt;
     for (std::size_t k = i + 1; k < kParameters; ++k) {
@@ -157,9 +157,9 @@ class EllipseFit {
 
   bool move() {
     Matrix squares{};
-    Row right{};
+    MatrixRow right{};
     // The parameters of the form are far smaller than pixels, so they are scaled.
-    Row scale{1.0, 1.0, conic_.xx, std::sqrt(conic_.xx * conic_.yy), conic_.yy};
+    MatrixRow scale{1.0, 1.0, conic_.xx, std::sqrt(conic_.xx * conic_.yy), conic_.yy};
     for (const Beside& row : rows_)
       for (std::size_t i = 0; i < kParameters; ++i) {
         const double here = row.residual.weight * row.derivative[i] * scale[i];
