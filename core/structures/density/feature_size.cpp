@@ -25,6 +25,8 @@ constexpr int kExponentsApart = 200;
 /// them begins with.
 constexpr std::size_t kGroup = 8;
 constexpr double kGroupWidth = 0.5;
+/// Edges that a group visits at most, before its sites search one by one.
+constexpr std::size_t kMostOfGroup = 1000;
 
 /// Turn of the curve at a point, in degrees.
 double turn_of(Vec2 before, Vec2 at, Vec2 after) {
@@ -215,8 +217,7 @@ void FeatureSize::make_ball_tree() {
       [this](const Ball& ball, std::uint32_t place) { ball_at_[ball.site] = place; });
 }
 
-FeatureSize::Found FeatureSize::search(Vec2 p) const {
-  Found best;
+FeatureSize::Found FeatureSize::search(Vec2 p, Found best) const {
   lines_.visit_near(p, best.squared, [&](const AxisLine& line) {
     const double squared = line.squared_distance(p);
     if (squared < best.squared) best = {squared, line.edge};
@@ -247,7 +248,8 @@ void FeatureSize::detach(SiteSlot site) {
 
 // Sites that lie together query the tree together: boxes that are near to none of them are skipped at once, by the
 // distance from the middle of the group. `sites` follow a curve through the plane; a group ends where it would become
-// large against the distances it asks for.
+// large against the distances it asks for. Around the centre of a circle with many samples lie edges whose distances
+// differ by less than the size of a group; there each site searches alone.
 void FeatureSize::search_in_groups(std::span<const SiteSlot> sites) {
   struct Group {
     std::array<Vec2, kGroup> at;
@@ -295,7 +297,9 @@ void FeatureSize::search_in_groups(std::span<const SiteSlot> sites) {
       bound = far * far * (1.0 + 0x1p-40);
     };
     lower_bound();
+    std::size_t visited = 0;
     lines_.visit_near(middle, bound, [&](const AxisLine& line) {
+      if (++visited > kMostOfGroup) bound = -1.0;  // ends the visit
       if (line.squared_distance(middle) > bound) return;
       bool is_nearer = false;
       for (std::size_t i = 0; i < group.count; ++i) {
@@ -307,6 +311,7 @@ void FeatureSize::search_in_groups(std::span<const SiteSlot> sites) {
       if (is_nearer) lower_bound();
     });
     for (std::size_t i = 0; i < group.count; ++i) {
+      if (visited > kMostOfGroup) group.found[i] = search(group.at[i], group.found[i]);
       squared_[sites[first + i]] = group.found[i].squared;
       nearest_[sites[first + i]] = group.found[i].edge;
     }
@@ -404,7 +409,7 @@ void FeatureSize::remove_ball(SiteSlot site) {
 void FeatureSize::search_anew(SiteSlot site) {
   const double before = squared_[site];
   detach(site);
-  attach(site, search(place_of(site)));
+  attach(site, search(place_of(site), {}));
   if (squared_[site] != before) site_recorder_.note(site, true);
   const bool is_in_tree = ball_at_[site] != kNowhere;
   if (is_in_tree && squared_[site] <= reach_[site]) return;

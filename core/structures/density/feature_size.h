@@ -111,7 +111,8 @@ class FeatureSize final : public Structure {
   bool fits(SiteSlot site) const;
   void choose_unit();
   std::vector<AxisLine> all_lines() const;
-  Found search(Vec2 p) const;
+  /// The nearest edge, or `best` if none is nearer than that.
+  Found search(Vec2 p, Found best) const;
   void search_in_groups(std::span<const SiteSlot> sites);
   void attach(SiteSlot site, const Found& found);
   void detach(SiteSlot site);

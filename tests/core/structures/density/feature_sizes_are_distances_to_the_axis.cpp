@@ -436,6 +436,9 @@ TEST_CASE("sizes are the least of all rounded distances, to the last bit") {
     for (int i = 0; i < 400; ++i)
       if (i % 100 < 37) samples.push_back(on_circle(i / 400.0));
   }
+  SECTION("a whole circle, whose edges all end near its centre, nearer to each other than the samples") {
+    for (int i = 0; i < 2500; ++i) samples.push_back(on_circle(i / 2500.0));
+  }
   SECTION("a lattice, and one with noise in the last digits") {
     for (int i = 0; i < 30; ++i)
       for (int j = 0; j < 30; ++j)
