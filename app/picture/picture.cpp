@@ -107,6 +107,9 @@ bool Picture::take_from(Engine& engine) {
     }
     const bool was_lost = is_lost_;
     is_lost_ = !apply(*patch);
+    for (const LayerPatch& layer : std::span(patch->layers).first(patch->layer_count))
+      if (std::ranges::find(loaded_, layer.layer) == loaded_.end()) loaded_.push_back(layer.layer);
+    if (patch->frame != last_frame_) leaving_.end();  // their instances are those of the frame before
     const bool brings_news = patch->layer_count != 0 || patch->frame != last_frame_ || is_lost_ != was_lost;
     last_frame_ = patch->frame;
     if (mirror_ && !is_lost_) check(*patch);
@@ -126,6 +129,8 @@ bool Picture::take_from(Engine& engine) {
       }
     }
     engine.recycle(std::move(patch));
+    leaving_.end_if_complete([this](VariantLayer layer) { return has_picture(layer); });
+    forget_layers_without_need();
     took = true;
     if (brings_news) ++patches_;
   }
@@ -170,13 +175,21 @@ void Picture::set_marks(FramePatch patch, std::vector<std::vector<render::LayerV
   if (!apply(patch)) marks_.clear();
 }
 
-void Picture::forget_all_but(std::span<const VariantLayer> demand) {
-  for (const VariantLayer layer : held_) {
-    if (std::ranges::find(demand, layer) != demand.end()) continue;
-    stop_painting();
+bool Picture::has_picture(VariantLayer layer) const {
+  const NodeState is = state(layer);
+  return is != NodeState::inactive && is != NodeState::computing;
+}
+
+void Picture::follow_demand(const ShownPanes& shown) {
+  leaving_.follow(shown, [this](VariantLayer layer) { return has_picture(layer); });
+}
+
+void Picture::forget_layers_without_need() {
+  std::erase_if(loaded_, [this](VariantLayer layer) {
+    if (state(layer) != NodeState::inactive || leaving_.needs(layer)) return false;
     scene_.forget(layer);
-  }
-  held_.assign(demand.begin(), demand.end());
+    return true;
+  });
 }
 
 const LayerReport* Picture::report(VariantLayer layer) const {
@@ -368,7 +381,7 @@ void Picture::clear(const render::Camera& camera) {
 Picture::ShownState Picture::state_now(const render::Camera& camera, const LayerStack& layers, const Editor& editor,
                                        double content_scale, bool is_kept, const PanePlaces& places,
                                        std::span<const Pane> panes) {
-  const ShownPanes::Layers main_layers = visible_layers(layers);
+  const ShownPanes::Layers main_layers = leaving_.draw(0, visible_layers(layers));
   const auto spacing_px = [&](const Pane& pane, const render::Camera& its) {
     return spacing_in(pane, editor) / (its.units_per_pixel() * content_scale);
   };
@@ -381,7 +394,8 @@ Picture::ShownState Picture::state_now(const render::Camera& camera, const Layer
   if (places.is_empty()) return now;
   for (const Pane& pane : panes) {
     now.cameras.push_back(pane.camera != nullptr ? *pane.camera : camera);
-    now.panes.push_back(as_drawn(pane.layers, canvas_, spacing_px(pane, now.cameras.back())));
+    now.panes.push_back(
+        as_drawn(leaving_.draw(pane.number, pane.layers), canvas_, spacing_px(pane, now.cameras.back())));
     now.versions.push_back(pane.version != nullptr ? std::optional(pane.version->revision()) : std::nullopt);
   }
   return now;

@@ -15,6 +15,7 @@
 #include "app/panes/pane_places.h"
 #include "app/picture/canvas_look.h"
 #include "app/picture/detail.h"
+#include "app/picture/leaving_layers.h"
 #include "app/picture/legend.h"
 #include "app/picture/moved_points.h"
 #include "core/draw/layer_mirror.h"
@@ -39,6 +40,7 @@ namespace mes {
 ///  5. However many large disks there are, a moving picture is painted within a fraction of a second (detail.h).
 ///  6. `draw` paints for a fraction of a second only. While a picture needs longer, the last complete one is shown,
 ///     moved and scaled to the view; once nothing changes any more, the pixels are those of painting at once.
+///  7. While the engine computes layers that are newly shown, those that they replace stay (leaving_layers.h).
 ///
 /// An OpenGL context must be current as long as the object exists. Threads: the window's.
 class Picture {
@@ -61,8 +63,9 @@ class Picture {
   /// Takes the finished results; returns false if there were none. While a picture is being painted, they wait, so that
   /// it shows one state.
   bool take_from(Engine& engine);
-  /// Releases the graphics memory of layers that are not demanded any more.
-  void forget_all_but(std::span<const VariantLayer> demand);
+  /// Call it when the engine is asked for other layers. The graphics memory of the others is released once a patch says
+  /// that the engine sends them no more: if they are demanded again before that, it does not send them again.
+  void follow_demand(const ShownPanes& shown);
   /// Sets the colour behind the layers.
   void set_canvas(Rgb background) { canvas_ = background; }
   Rgb canvas() const { return canvas_; }
@@ -97,6 +100,10 @@ class Picture {
   Expected<void> capture(render::FrameCapture& capture, const render::Camera& camera, const Pane& pane,
                          const Editor& editor, render::CaptureOptions options, bool is_beside = false);
   render::GlDevice& device() { return device_; }
+  /// The layers of the main pane on screen: the visible ones, and those that the next picture will replace.
+  ShownPanes::Layers layers_on_screen(const LayerStack& layers) const {
+    return leaving_.drawn(0, visible_layers(layers));
+  }
   /// The entries of the legend for these layers.
   std::vector<LegendEntry> legend(const ShownPanes::Layers& layers, LegendScope scope) const;
 
@@ -190,6 +197,8 @@ class Picture {
                  const render::Camera& camera, double content_scale) const;
   bool apply(const FramePatch& patch);
   static bool brings_all(const FramePatch& patch);
+  bool has_picture(VariantLayer layer) const;
+  void forget_layers_without_need();
   void mark_selection(const Editor& editor);
   void draw_moved(const Editor& editor);
   void set_mark(std::uint32_t slot, PrimitiveKind kind, const LayerStyle& style);
@@ -201,7 +210,8 @@ class Picture {
   std::unique_ptr<LayerMirror> mirror_;     // null unless patches are checked
   std::shared_ptr<LayerMirror> instances_;  // null unless they are kept
   bool has_instances_ = false;              // true when all layers are complete
-  std::vector<VariantLayer> held_;          // the last demand
+  std::vector<VariantLayer> loaded_;        // layers of which the scene may have instances
+  LeavingLayers leaving_;
   std::vector<LayerReport> reports_;
   std::vector<NodeReport> nodes_;
   bool is_lost_ = false;

@@ -318,7 +318,7 @@ void DrawingBoard::dim_outdated() {
 
 void DrawingBoard::follow() {
   if (work_.follow_layers(picture_.is_lost(), settings_.show_annotations))
-    picture_.forget_all_but(work_.shown_panes().demand);
+    picture_.follow_demand(work_.shown_panes());
   if (traced_.follow(view().free_box())) screen_.clock.settle();
   follow_differences();
 }

@@ -38,6 +38,11 @@ TEST_CASE("a heavy drawing stays in view while it is panned and zoomed, and the 
   const Screenshot first = window.drawn();
   // The balls of a union: disks and circles, which are counted, and arcs, which are painted one by one.
   window.press("6");
+  // While they are computed, the drawing before stays.
+  Screenshot waiting = window.screen.shoot();
+  for (; waiting.changes(kCanvas, first) < 1000; waiting = window.screen.shoot())
+    CHECK_FALSE(HeavyWindow::drawing_in(waiting).is_empty());
+  CHECK_FALSE(HeavyWindow::drawing_in(waiting).is_empty());
   const Screenshot balls = window.other_than(first);
   const PixelBox before = HeavyWindow::drawing_in(balls);
   REQUIRE_FALSE(before.is_empty());
@@ -64,5 +69,9 @@ TEST_CASE("a heavy drawing stays in view while it is panned and zoomed, and the 
   // Another bundle in the middle of the way: its drawing is the same as without that.
   window.screen.xdotool("mousemove 520 400 click --repeat 2 4 key 4 key 6 mousemove 3 3");
   window.press("f");
+  CHECK(window.shows(balls));
+
+  // The engine hears of layers that are hidden and shown again within one computation as of no change.
+  window.press("4 6 4 6 4 6");
   CHECK(window.shows(balls));
 }

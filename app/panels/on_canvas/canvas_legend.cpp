@@ -17,7 +17,7 @@ constexpr double kMostOfCanvas = 1.0 / 3.0;
 
 CanvasLegend::Drawn CanvasLegend::draw(const std::optional<PaperPlace>& place, ImVec2 origin,
                                        const MarksPlace& marks) const {
-  std::vector<LegendEntry> entries = picture.legend(visible_layers(layers), scope);
+  std::vector<LegendEntry> entries = picture.legend(picture.layers_on_screen(layers), scope);
   for (LegendEntry& entry : entries) entry.scalar = spoken_scalar(entry.scalar);
   const PlacedLegend legend =
       place_legend(entries, measure_on_canvas(gui), 1.0,
