@@ -34,7 +34,11 @@ LayerStyle greyed(LayerStyle style) {
 }  // namespace
 
 Picture::Picture(LiveRegistry registry)
-    : registry_(std::move(registry)), scene_(device_), moved_(registry_.now().find_layer("points")), kept_(device_) {
+    : registry_(std::move(registry)),
+      scene_(device_),
+      moved_(registry_.now().find_layer("points")),
+      kept_(device_),
+      ink_capture_(device_) {
   if (std::getenv("MESECINA_CHECK_PATCHES") != nullptr) mirror_ = std::make_unique<LayerMirror>();
 }
 
@@ -422,6 +426,19 @@ void Picture::draw(const render::Camera& camera, const LayerStack& layers, const
   if (painting_ && go_on_painting(is_kept ? std::numeric_limits<double>::infinity() : rests ? kRestingMs : kMovingMs))
     complete_painting();
   show(now);
+  follow_ink(rests);
+}
+
+// The window shows the layers and nothing else yet.
+void Picture::follow_ink(bool rests) {
+  while (const auto raw = ink_capture_.poll())
+    if (!raw->rgba.empty()) ink_ = InkMap(*raw, ink_camera_, ink_canvas_);
+  if (!rests || is_refining() || !awaits_ink() || ink_capture_.pending() != 0) return;
+  ink_of_ = pictures_;
+  ink_camera_ = shown_.camera;
+  ink_canvas_ = canvas_;
+  // Without memory for it, the last one stays.
+  static_cast<void>(ink_capture_.take({}, {0, 0, ink_camera_.width(), ink_camera_.height()}));
 }
 
 // A picture that takes long would only delay the one that is wanted now; others show a moving view on its way.
@@ -461,6 +478,7 @@ void Picture::complete_painting() {
   every_ = painting_->every;
   shown_ = std::move(painting_->state);
   painting_.reset();
+  ++pictures_;
   kept_.keep();
   is_kept_foreign_ = false;
 }

@@ -15,6 +15,7 @@
 #include "app/panes/pane_places.h"
 #include "app/picture/canvas_look.h"
 #include "app/picture/detail.h"
+#include "app/picture/ink_map.h"
 #include "app/picture/leaving_layers.h"
 #include "app/picture/legend.h"
 #include "app/picture/moved_points.h"
@@ -111,6 +112,10 @@ class Picture {
   bool is_refining() const { return detail_.is_refining() || is_coarse_ || is_painting(); }
   /// True while a picture is being painted that is not yet on screen; `draw` goes on with it.
   bool is_painting() const { return painting_.has_value(); }
+  /// Where something is drawn, as of the last picture at rest.
+  const InkMap& ink() const { return ink_; }
+  /// True if `ink` does not know the last picture yet: it needs another `draw` soon.
+  bool awaits_ink() const { return ink_capture_.pending() != 0 || ink_of_ != pictures_; }
   /// One of this many disks is on screen; 1: all.
   std::uint32_t every() const { return every_; }
 
@@ -191,6 +196,7 @@ class Picture {
   void stop_painting();
   bool is_worth_completing(const ShownState& now) const;
   void show(const ShownState& now);
+  void follow_ink(bool rests);
   static render::PixelRect area_of(const ShownState& shown, std::size_t pane);
   static std::vector<render::LayerView> views_of(const ShownPanes::Layers& layers, std::uint32_t every);
   void add_texts(std::vector<render::LayerView>& views, const Editor& editor, const Document* version,
@@ -241,6 +247,12 @@ class Picture {
   render::KeptFrame kept_;
   bool is_kept_foreign_ = true;  // true while the kept picture shows another document, or nothing
   std::optional<Painting> painting_;
+  InkMap ink_;
+  render::FrameCapture ink_capture_;
+  std::uint64_t pictures_ = 0;  // number of complete ones
+  std::uint64_t ink_of_ = 0;    // picture of which the pixels were requested last
+  render::Camera ink_camera_;   // its camera and canvas
+  Rgb ink_canvas_ = kWhiteCanvas;
   render::Camera last_camera_;  // of the last frame
   std::uint64_t last_document_ = 0;
 };

@@ -57,7 +57,7 @@ struct OverlayContent {
   ScaleMarks marks{};
   PlacedAnnotations annotations{};
   PaperDrawing title{};                   ///< made by `layout_title`
-  std::optional<PaperPlace> legend_at{};  ///< nothing: the lower right corner, whatever is drawn there
+  std::optional<PaperPlace> legend_at{};  ///< nothing: the lower right corner
   std::string unit{};                     ///< of lengths, as `unit_of_lengths` gives it
 };
 

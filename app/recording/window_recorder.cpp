@@ -277,13 +277,19 @@ bool WindowRecorder::ask_one(const Drawn& drawn, const RecordSettings& settings,
   const FrameView view = frame_view(drawn.camera, part, drawn.content_scale, settings);
   const Rgb background = settings.background.value_or(picture_.canvas());
   const std::optional<Rgb> behind = settings.transparent ? std::nullopt : std::optional<Rgb>(background);
+  ScaleMarks marks = drawn.state.marks;
+  std::optional<PaperPlace> legend_at = drawn.state.legend_at;
+  if (purpose.use != Use::frame) {
+    if (drawn.marks.bar) marks.bar_at = drawn.marks.bar;
+    if (drawn.marks.legend) legend_at = drawn.marks.legend;
+  }
   PictureOverlay overlay =
       picture_overlay_of({picture_.legend(visible_layers(drawn.layers), drawn.state.legend),
                           drawn.state.caption,
-                          drawn.state.marks,
+                          marks,
                           drawn.state.annotations ? place(drawn.editor.document()) : PlacedAnnotations{},
                           {},
-                          drawn.state.legend_at,
+                          legend_at,
                           unit_of_lengths(drawn.editor.document())},
                          fonts_, {view.camera, view.content_scale, behind});
   const bool is_on_screen = view.camera.width() == part.width && view.camera.height() == part.height &&

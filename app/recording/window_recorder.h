@@ -92,6 +92,7 @@ class WindowRecorder {
     ShownState state{};
     AtRest rest{};
     bool is_cancelled = false;
+    MarkPlaces marks{};  ///< where a snapshot has them, too; frames of a recording keep theirs in one place
   };
   /// Call it when the window shows the drawing and nothing else yet.
   void picture_drawn(const Drawn& drawn);

@@ -36,6 +36,12 @@ struct PaperPlace {
   friend bool operator==(const PaperPlace&, const PaperPlace&) = default;
 };
 
+/// The positions of the legend and the scale bar in the window; nothing: it is not drawn.
+struct MarkPlaces {
+  std::optional<PaperPlace> legend{};
+  std::optional<PaperPlace> bar{};
+};
+
 /// The upper left corner of an item of this size, in logical pixels, y down. It stays in the room; an item larger
 /// than the room begins where that does.
 Vec2 placed(const PaperPlace& place, Vec2 size, const Box2& room);

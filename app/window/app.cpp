@@ -278,7 +278,7 @@ void App::draw() {
   documents_.keep();
   // Reading pixels back waits for their drawing, so its time counts as drawing.
   screen_.times.begin_drawing();
-  recording_.picture_drawn();
+  recording_.picture_drawn(panels_.mark_places());
   screen_.gui.end_frame();
   recording_.panels_drawn();
   screen_.times.end_drawing();

@@ -393,12 +393,15 @@ void DrawingBoard::draw(const Frame& frame) {
   draw_pointer(frame);
   const std::uint32_t share = picture_.every();
   const bool was_refining = picture_.is_refining();
+  const bool awaited_ink = picture_.awaits_ink();
   screen_.times.begin_drawing();
   picture_.draw(view().camera(), work_.layers(), work_.editor(), screen_.gui.drawing_scale(), frame.is_kept,
                 canvas_.panes(), panes_beside());
   screen_.times.end_drawing();
   // The status bar shows the drawn share, and was drawn before it was known. Results may have waited for the picture.
   if (was_refining || picture_.is_refining() || picture_.every() != share) screen_.clock.want(2);
+  // Legend and scale bar may move once it is known where the picture leaves paper free.
+  if (awaited_ink || picture_.awaits_ink()) screen_.clock.want(2);
 }
 
 std::vector<Picture::Pane> DrawingBoard::panes_beside() const {
@@ -489,35 +492,16 @@ bool DrawingBoard::shows_annotations() const {
 }
 
 std::size_t DrawingBoard::hidden_by(const Box2& on_screen) const {
-  // Nearly square parts, since each is asked for the samples within a circle around it.
-  constexpr int kParts = 64;
-  const double shape = on_screen.width() / std::max(1.0, on_screen.height());
-  const int columns = std::clamp(static_cast<int>(std::lround(std::sqrt(kParts * shape))), 1, kParts);
-  const int rows = kParts / columns;
+  constexpr std::size_t kWords = 64;  // words count as much as an area that is drawn on everywhere
   const double ratio = screen_.window->pixel_ratio();
-  const render::Camera& camera = view().camera();
-  const Vec2 part{on_screen.width() / columns, on_screen.height() / rows};
-  const double reach = 0.5 * length(part) * ratio * camera.units_per_pixel();
-  const Editor& editor = work_.editor();
-  // Balls by themselves are large; of many the centres tell where they are.
-  constexpr std::size_t kFewBalls = 500;
-  const Document& document = editor.document();
-  const auto balls =
-      document.ball_count() <= kFewBalls ? document.ball_slots_in_input_order() : std::vector<BallSlot>();
-  const auto is_on_ball = [&](Vec2 p) {
-    return std::ranges::any_of(balls, [&](BallSlot slot) {
-      const Disk& ball = document.disk(slot);
-      return distance(p, ball.center) <= ball.radius + reach;
-    });
+  const Box2 px{ratio * on_screen.low, ratio * on_screen.high};
+  const double scale = canvas_.content_scale();
+  const auto lies_on = [&](const Box2& words) {
+    return !words.is_empty() && scale * words.low.x < px.high.x && px.low.x < scale * words.high.x &&
+           scale * words.low.y < px.high.y && px.low.y < scale * words.high.y;
   };
-  std::size_t out = 0;
-  for (int i = 0; i < columns * rows; ++i) {
-    const Vec2 at = on_screen.low + Vec2{(i % columns + 0.5) * part.x, (i / columns + 0.5) * part.y};
-    const Vec2 world = camera.to_world(ratio * at);
-    out += editor.index().nearest(world, reach) != kNoSlot || editor.centers().nearest(world, reach) != kNoSlot ||
-           is_on_ball(world);
-  }
-  return out;
+  return picture_.ink().parts_below(px, view().camera()) +
+         (std::ranges::any_of(annotations_.words, lies_on) ? kWords : 0U);
 }
 
 void DrawingBoard::keep_measurement() {
@@ -528,7 +512,7 @@ void DrawingBoard::keep_measurement() {
 void DrawingBoard::keep_highlight(std::optional<std::size_t> line) {
   if (!provenance_.can_be_kept(work_.editor())) return;
   KeptHighlight kept = highlight_of(*provenance_.shown(), work_.document(), line);
-  if (kept.annotation.elements.empty()) return messages_.remark("Nothing of it can be kept highlighted");
+  if (kept.annotation.elements.empty()) return messages_.remark("This element has no highlights that can be kept");
   if (!keep(std::move(kept.annotation))) return;
   if (kept.left_out != 0)
     messages_.remark(

@@ -87,8 +87,8 @@ class DrawingBoard {
   void see_in_panes(std::vector<Box2> views) { wanted_pane_views_ = std::move(views); }
 
   bool shows_annotations() const;
-  /// A measure of what a rectangle of the window, in screen coordinates, would hide in the main pane: the number of its
-  /// 64 parts (about) with a sample or the centre of a ball. Cost: some ten microseconds.
+  /// A measure of what a rectangle of the window, in screen coordinates, would hide: the number of its 64 parts (about)
+  /// in which a layer draws something; words of annotations count as all of them. Cost: some microseconds.
   std::size_t hidden_by(const Box2& on_screen) const;
 
  private:

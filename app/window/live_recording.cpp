@@ -100,7 +100,7 @@ std::vector<std::string> LiveRecording::labels_of_panes() const {
   return out;
 }
 
-WindowRecorder::Drawn LiveRecording::drawn() const {
+WindowRecorder::Drawn LiveRecording::drawn(const MarkPlaces& marks) const {
   const ViewMotion& view = uses_.board.view();
   return {view.camera(),
           view.insets(),
@@ -110,7 +110,8 @@ WindowRecorder::Drawn LiveRecording::drawn() const {
           uses_.screen.gui.drawing_scale(),
           shown_state(),
           at_rest(),
-          uses_.work.engine().status().cancelled};
+          uses_.work.engine().status().cancelled,
+          marks};
 }
 
 void LiveRecording::follow() {

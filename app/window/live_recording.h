@@ -38,8 +38,9 @@ class LiveRecording {
   bool holds_input() const;
   bool holds_motion() const { return recorder_.holds_motion(shown_state()); }
   void note_if_complete(bool is_reading);
-  void picture_drawn() { recorder_.picture_drawn(drawn()); }
-  void panels_drawn() { recorder_.panels_drawn(drawn()); }
+  /// `marks`: of the window, in this frame.
+  void picture_drawn(const MarkPlaces& marks) { recorder_.picture_drawn(drawn(marks)); }
+  void panels_drawn() { recorder_.panels_drawn(drawn({})); }
   void follow();
   void end() { recorder_.end(); }
 
@@ -48,7 +49,7 @@ class LiveRecording {
   ShownState shown_state() const;
   AtRest at_rest() const;
   std::vector<std::string> labels_of_panes() const;
-  WindowRecorder::Drawn drawn() const;
+  WindowRecorder::Drawn drawn(const MarkPlaces& marks) const;
 
   Uses uses_;
   WindowRecorder recorder_;

@@ -396,6 +396,12 @@ Panels::Room Panels::draw() {
     const double scale = gui.unit();
     return Box2{origin + scale * box.low, origin + scale * box.high};
   };
+  const auto place_in_room = [&](const Box2& box) {
+    constexpr double kReach = 0.5;
+    return place_of(box.low, box.high - box.low, marks.room, kReach);
+  };
+  mark_places_ = {legend ? std::optional(place_in_room(*legend)) : std::nullopt,
+                  marks.bar ? std::optional(place_in_room(*marks.bar)) : std::nullopt};
   marks_.clear();
   if (legend) marks_.push_back(on_screen(*legend));
   if (marks.bar) marks_.push_back(on_screen(*marks.bar));

@@ -73,6 +73,8 @@ class Panels {
   std::optional<double> next_due(double now) const;
   /// The legend or the scale bar, while it is dragged.
   MarkDrag& mark_drag() { return mark_drag_; }
+  /// Where the legend and the scale bar were drawn in this frame.
+  const MarkPlaces& mark_places() const { return mark_places_; }
   /// Entries for everything that has a name now.
   std::vector<PaletteEntry> palette_entries();
   /// True if the panels around the canvas are shown, and not only those on it.
@@ -149,6 +151,7 @@ class Panels {
   Presenter presenter_;
   ProblemNote problem_note_;
   MarkDrag mark_drag_;
+  MarkPlaces mark_places_;
   std::vector<Box2> marks_;  // the boxes of legend and scale bar on the screen, when they were last drawn
 };
 

@@ -111,3 +111,42 @@ TEST_CASE("a legend that is too large for the canvas is left out, and a message 
   CHECK(eventually([&] { return letters_on(window.screen.shoot()) > 2 * of_legend; }));
   CHECK(letters_on(window.screen.settled()) < of_legend);
 }
+
+TEST_CASE("a legend leaves the corner to which a line is drawn, and a snapshot has it where the window has it") {
+  DrivenProgram window;
+  // One ray of the Voronoi diagram goes into the lower right corner, none into the lower left one.
+  window.folder.write("triangle.poff", "POFF 3 0 0\n0.94 0.34\n-0.64 0.77\n-0.17 -0.98\n");
+  std::filesystem::create_directories(window.folder / "config" / "mesecina");
+  window.folder.write("config/mesecina/settings.json", R"({"schema": 1, "show_key": true})");
+  window.start("triangle.poff", {{"HOME", window.folder.path().string()}});
+  static_cast<void>(window.drawn());
+  constexpr PixelBox kLowerLeft{60, 676, 180, 768};
+  constexpr PixelBox kLowerRight{700, 640, 936, 768};
+  const auto letters_in = [](const Screenshot& shot, const PixelBox& where) {
+    int out = 0;
+    for (int y = where.top; y < where.bottom; ++y)
+      for (int x = where.left; x < where.right; ++x) {
+        const Color c = shot.at(x, y);
+        out += c.r < 150 && c.g < 150 ? 1 : 0;  // the ray is lighter
+      }
+    return out;
+  };
+  window.press("1");
+  CHECK(eventually([&] { return letters_in(window.screen.shoot(), kLowerRight) > 50; }));
+  CHECK(letters_in(window.screen.settled(), kLowerLeft) == 0);
+  window.press("2");
+  CHECK(eventually([&] { return letters_in(window.screen.shoot(), kLowerLeft) > 100; }));
+  CHECK(letters_in(window.screen.settled(), kLowerRight) == 0);
+  window.press("F3");
+  Screenshot snapshot(0, 0, {});
+  REQUIRE(eventually([&] {
+    std::error_code error;
+    for (const auto& entry : std::filesystem::directory_iterator(window.folder / "mesecina", error))
+      if (entry.path().extension() == ".png") snapshot = read_picture(entry.path());
+    return !snapshot.is_empty();
+  }));
+  const int width = snapshot.width();
+  const int height = snapshot.height();
+  CHECK(letters_in(snapshot, {0, 3 * height / 4, width / 5, height}) > 100);
+  CHECK(letters_in(snapshot, {4 * width / 5, 3 * height / 4, width, height}) == 0);
+}
