@@ -137,3 +137,38 @@ TEST_CASE("a double click on a sample selects its curve, a single one the sample
   window.press("ctrl+d");
   CHECK(window.saved().size() == 8);
 }
+
+TEST_CASE("a drawing pasted into an empty plane is a document of its own, and the open file stays as it is") {
+  DrivenProgram window;
+  const VirtualScreen& screen = window.screen;
+  const std::string nothing = "POFF 0 0 0\n";
+  window.folder.write("empty.poff", nothing);
+  window.start("empty.poff");
+  static_cast<void>(screen.settled());
+  // The field of the palette puts the text on the clipboard.
+  const auto is_dimmed = [&] { return !screen.shoot().is_white(90, 700); };
+  window.press("ctrl+k");
+  REQUIRE(eventually(is_dimmed));
+  static_cast<void>(screen.settled());
+  screen.type_over("POLYGON ((0 0, 4 0, 4 4, 0 0))");
+  for (const std::string key : {"a", "c"}) {
+    screen.xdotool("keydown ctrl keydown " + key);
+    static_cast<void>(screen.settled());
+    screen.xdotool("keyup " + key + " keyup ctrl");
+  }
+  REQUIRE(eventually([&] { return screen.clipboard().starts_with("POLYGON"); }));
+  window.press("Escape");
+  REQUIRE(eventually([&] { return !is_dimmed(); }));
+  window.press("ctrl+v");
+  REQUIRE(eventually([&] { return window.title().starts_with("* Clipboard"); }));
+  window.press("ctrl+s");
+  REQUIRE(eventually(is_dimmed));
+  window.press("Escape");
+  REQUIRE(eventually([&] { return !is_dimmed(); }));
+  CHECK(bytes_of(window.folder / "empty.poff") == nothing);
+  window.save_as("pasted.poff");
+  const auto saved = read_sample_file(window.folder / "pasted.poff");
+  REQUIRE(saved.has_value());
+  CHECK(saved->data.contours.size() == 1);
+  CHECK(bytes_of(window.folder / "empty.poff") == nothing);
+}
