@@ -185,9 +185,7 @@ void WindowInput::run_by_key(const KeyChord& chord, bool repeated) {
     // A pressed key without effect must give the reason, because no menu shows that the action is disabled.
     const std::string why = uses_.actions.missing(*action);
     if (why.empty()) return;
-    const std::string text = descriptor_of(*action).name + " is not possible now: " + why;
-    uses_.messages.refusal(text);
-    uses_.presenter.note_key(to_string(chord), text, false);
+    uses_.messages.refusal(descriptor_of(*action).name + " is not possible now: " + why);
     return;
   }
   const bool is_slide = (*action >= ActionId::first_bundle && *action <= ActionId::last_bundle) ||

@@ -51,6 +51,23 @@ TEST_CASE("Esc closes a problem, and none is over the drawing of a presentation"
   CHECK(eventually([&] { return window.screen.shoot().box_of(kTop, kIsOrange).is_empty(); }));
 }
 
+TEST_CASE("a key that cannot act shows nothing over the drawing of a presentation") {
+  const ToldWindow window;
+  window.press("F5");
+  const Screenshot presented = window.screen.settled();
+  window.press("Right");
+  // Once the pointer is seen, the key was heard.
+  constexpr PixelBox kPointer{30, 30, 90, 90};
+  window.screen.xdotool("mousemove 60 60");
+  Screenshot pointed(0, 0, {});
+  REQUIRE(eventually([&] {
+    pointed = window.screen.shoot();
+    return pointed.changes(kPointer, presented) > 100;
+  }));
+  const int all = pointed.changes({0, 0, pointed.width(), pointed.height()}, presented);
+  CHECK(all == pointed.changes(kPointer, presented));
+}
+
 TEST_CASE("a problem appears where the drawing leaves room, and stays there") {
   DrivenProgram window;
   std::string samples;
