@@ -24,8 +24,8 @@ std::string label_of(ShowInstead what) {
   switch (what) {
     case ShowInstead::samples: return "Show the samples";
     case ShowInstead::own_balls: return "Show my own balls and their axis";
-    case ShowInstead::inner_family: return "Show the same of the inner balls";
-    case ShowInstead::own_family: return "Show the same of my own balls";
+    case ShowInstead::inner_family: return "Show these layers of the inner balls";
+    case ShowInstead::own_family: return "Show these layers of my own balls";
   }
   return {};
 }

@@ -197,7 +197,7 @@ void DocumentFlow::quit() {
   if (tables_.empty())
     is_left_ = true;
   else
-    uses_.messages.remark("Not quit: a table waits for its file");
+    uses_.messages.remark("Not closed: choose a file for the table first, or cancel it");
 }
 
 void DocumentFlow::start_empty() {

@@ -77,7 +77,7 @@ void LinkRun::follow() {
       lines_.pop_front();
     }
     if (line == DocumentLink::kClosed) {
-      end("The session beside the window needs it no more");
+      end("The program that shared this document with the window has disconnected");
       return uses_.leave();
     }
     DocumentLink::Settings wanted = settings();
@@ -92,7 +92,7 @@ void LinkRun::follow() {
     const std::lock_guard lock(mutex_);
     return is_over_ && lines_.empty();
   }();
-  if (is_over) return end("The session beside the window has ended");
+  if (is_over) return end("The program that shared this document with the window has ended");
   if (auto line = link_.propose(uses_.work.editor(), settings())) unsent_ += *line + '\n';
   if (!unsent_.empty()) say(std::exchange(unsent_, {}));
 }

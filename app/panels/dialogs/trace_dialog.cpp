@@ -29,7 +29,7 @@ struct SideWord {
   const char* explanation;
 };
 constexpr std::array kSides{
-    SideWord{FigureSide::found, "Found", "Trace what the edge of the picture has less of"},
+    SideWord{FigureSide::found, "Found", "Trace dark or light: the one that covers less of the edge of the picture"},
     SideWord{FigureSide::dark, "Dark", "Pixels of the threshold's grey value or darker"},
     SideWord{FigureSide::light, "Light", "Pixels lighter than the threshold's grey value"},
 };

@@ -327,7 +327,7 @@ void LayersPanel::draw_star(LayerIndex layer, ImVec2 at, float size, bool is_row
   if (hit_area("star", {size, size})) toggle_favorite(layers_, favorites_, layer);
   const bool is_hovered = ImGui::IsItemHovered();
   const bool is_on = is_favorite(layers_, favorites_, layer);
-  tooltip(gui_, is_on ? "No favourite any more" : "List it first, among the favourites");
+  tooltip(gui_, is_on ? "Remove from the favourites" : "Add to the favourites, which are listed first");
   if (!is_on && !is_hovered && !is_row_hovered) return;
   const ThemeColors& colors = gui_.colors();
   draw_icon(*ImGui::GetWindowDrawList(), is_on ? Icon::star_on : Icon::star, at, size,
