@@ -113,7 +113,7 @@ void apply_theme(ImGuiStyle& style, const ThemeColors& theme, float scale) {
   style.PopupBorderSize = 1;
   style.FrameBorderSize = 0;
   style.WindowTitleAlign = {0.0F, 0.5F};
-  style.DisabledAlpha = 0.65F;
+  style.DisabledAlpha = 0.7F;
   style.ScaleAllSizes(scale);
   style.WindowBorderSize = std::max(1.0F, style.WindowBorderSize);
   style.PopupBorderSize = std::max(1.0F, style.PopupBorderSize);
