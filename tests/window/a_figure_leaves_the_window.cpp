@@ -46,6 +46,25 @@ TEST_CASE("a figure is exported beside its document, and Esc leaves without one"
   CHECK(output_of("pdfinfo '" + (folder / "house.pdf").string() + "'").find("Page size:") != std::string::npos);
 }
 
+TEST_CASE("the preview shows the page as large as on paper on request") {
+  DrivenProgram window;
+  window.folder.write("house.poff", kHouse);
+  window.start("house.poff");
+  static_cast<void>(window.drawn());
+  window.press("ctrl+e");
+  // The page is white, and what lies around it is not.
+  constexpr PixelBox kPreview{545, 140, 1158, 702};  // below the tooltip of the box
+  const auto page = [&] {
+    return window.screen.shoot().box_of(kPreview, [](Color c) { return c.r == 255 && c.g == 255 && c.b == 255; });
+  };
+  REQUIRE(eventually([&] { return page().right - page().left > 500; }));
+  window.screen.click({553, 106});
+  constexpr int kColumn = 317;  // 84 mm at 96 pixels per inch
+  CHECK(eventually([&] { return std::abs(page().right - page().left - kColumn) <= 2; }));
+  window.screen.click({553, 106});
+  CHECK(eventually([&] { return page().right - page().left > 500; }));
+}
+
 namespace {
 
 /// Exports centre lines under the name that is offered, and reads them.
