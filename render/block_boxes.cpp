@@ -49,6 +49,7 @@ Box2 box_of_instance(PrimitiveKind kind, std::span<const double> encoded) {
       out.add(second);
       return out;
     }
+    case PrimitiveKind::parabola:
     case PrimitiveKind::triangle: {
       if (is_invisible(first)) return {};
       Box2 out{first, first};

@@ -75,9 +75,9 @@ enum class Reach : std::uint8_t {
   far,   ///< twice as many bits: for deep zoom, and coordinates far outside the view
 };
 
-/// True for the kinds that are drawn as `DrawUniforms::arc_pieces` quads along a circle.
-constexpr bool is_ring(PrimitiveKind kind) {
-  return kind == PrimitiveKind::circle || kind == PrimitiveKind::arc;
+/// True for the kinds that are drawn as `DrawUniforms::arc_pieces` quads along a curve.
+constexpr bool is_curve(PrimitiveKind kind) {
+  return kind == PrimitiveKind::circle || kind == PrimitiveKind::arc || kind == PrimitiveKind::parabola;
 }
 
 /// Selects a program; each is compiled at its first use.

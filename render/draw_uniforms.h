@@ -29,7 +29,7 @@ struct DrawUniforms {
   PremultipliedColor color{};
   float dash_px = 0.0F;
   float dash_period_px = 0.0F;
-  float arc_pieces = 0.0F;  ///< quads along a circle; 0: a square around it
+  float arc_pieces = 0.0F;  ///< quads along a circle or parabola; 0: a square around a circle
   float one = 1.0F;         ///< always 1, unknown to the shader compiler
   // For programs with a colour map. Scalars are multiples of a power of two, so that any double is possible.
   glm::vec3 map_low{};          ///< pieces, like the centre's, of the scalar at the map's first colour

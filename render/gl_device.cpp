@@ -29,7 +29,7 @@ constexpr GLuint kScalarColumn = kColumns;
 /// Vertices of one instance, as a triangle strip.
 GLsizei vertices_of(const DrawCall& call) {
   if (call.program.kind == PrimitiveKind::point) return 3;
-  if (!is_ring(call.program.kind) || call.uniforms.arc_pieces == 0.0F) return 4;
+  if (!is_curve(call.program.kind) || call.uniforms.arc_pieces == 0.0F) return 4;
   return 2 * (static_cast<GLsizei>(call.uniforms.arc_pieces) + 1);
 }
 

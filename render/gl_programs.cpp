@@ -100,6 +100,9 @@ GlProgram link_for(PrimitiveKind kind, const std::string& head) {
     case PrimitiveKind::line:
       return link(head, {uniforms_glsl, mapped_glsl, place_glsl, wide_glsl, stroke_vert},
                   {uniforms_glsl, paint_glsl, dash_glsl, stroke_frag});
+    case PrimitiveKind::parabola:
+      return link(head, {uniforms_glsl, mapped_glsl, place_glsl, wide_glsl, parabola_vert},
+                  {uniforms_glsl, paint_glsl, dash_glsl, stroke_frag});
     case PrimitiveKind::triangle:
       return link(head, {uniforms_glsl, mapped_glsl, place_glsl, wide_glsl, triangle_vert},
                   {uniforms_glsl, paint_glsl, triangle_frag});

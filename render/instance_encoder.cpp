@@ -161,6 +161,7 @@ void encode_instance(PrimitiveKind kind, const DrawingFrame& frame, std::span<co
     case PrimitiveKind::segment: encode_segment(frame, in, out); break;
     case PrimitiveKind::ray:
     case PrimitiveKind::line: encode_unbounded(kind, frame, in, out); break;
+    case PrimitiveKind::parabola:
     case PrimitiveKind::triangle: {
       bool shown = true;
       for (std::size_t i = 0; i < 3; ++i) {
@@ -169,6 +170,9 @@ void encode_instance(PrimitiveKind kind, const DrawingFrame& frame, std::span<co
         store(out, i, p);
       }
       if (!shown) std::fill(out.begin(), out.end(), kNowhere);
+      if (shown && kind == PrimitiveKind::parabola)
+        extent.length = std::max(extent.length, length((Vec2{out[4], out[5]} - Vec2{out[2], out[3]}) -
+                                                       (Vec2{out[2], out[3]} - Vec2{out[0], out[1]})));
       break;
     }
     case PrimitiveKind::arc: encode_arc(frame, in, out, extent); break;

@@ -4,7 +4,7 @@
 // Guarantees:
 //  1. Coordinates become `(p - origin) * scale`, computed in double and not rounded further.
 //  2. Segments, rays and lines that leave the buffer's range of +-kDrawingLimit are cut to it along their own line, so
-//     their visible part does not move. Disks, circles and arcs that large are invisible: doubles do not determine
+//     their visible part does not move. Disks, circles, arcs and parabolas that large are invisible: doubles do not determine
 //     where their rim is.
 //  3. An instance with a number that is not finite is invisible.
 #pragma once
@@ -24,7 +24,7 @@ inline constexpr double kDrawingLimit = 0x1p60;
 struct InstanceExtent {
   double coordinate = 0.0;  ///< largest absolute value of all coordinates
   double radius = 0.0;
-  double length = 0.0;  ///< largest length of an arc
+  double length = 0.0;  ///< largest length of an arc; of parabolas, four times the largest distance from a chord
   void add(const InstanceExtent& other) {
     coordinate = std::max(coordinate, other.coordinate);
     radius = std::max(radius, other.radius);

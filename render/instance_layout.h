@@ -30,6 +30,7 @@ constexpr InstanceLayout layout_of(PrimitiveKind kind) {
       {.points = 2, .numbers = 0},  // line: a point, unit direction
       {.points = 3, .numbers = 0},  // triangle: corners
       {.points = 3, .numbers = 2},  // arc: centre, both ends; radius, and 0: at most half a turn, 1: more, 2: whole
+      {.points = 3, .numbers = 0},  // parabola: one end, control point, other end
   }};
   return layouts[static_cast<std::size_t>(kind)];
 }

@@ -19,8 +19,8 @@ namespace mes::render {
 /// The kinds of a layer, bottom first. Triangles come first: the coverages of a group are summed before another kind
 /// covers them.
 inline constexpr std::array<PrimitiveKind, kPrimitiveKinds> kDrawOrder{
-    PrimitiveKind::triangle, PrimitiveKind::disk,   PrimitiveKind::line, PrimitiveKind::ray,
-    PrimitiveKind::segment,  PrimitiveKind::circle, PrimitiveKind::arc,  PrimitiveKind::point};
+    PrimitiveKind::triangle, PrimitiveKind::disk,   PrimitiveKind::line, PrimitiveKind::ray,  PrimitiveKind::segment,
+    PrimitiveKind::parabola, PrimitiveKind::circle, PrimitiveKind::arc,  PrimitiveKind::point};
 
 /// True for kinds that are drawn along a line, and dashed if the style says so.
 constexpr bool is_stroked(PrimitiveKind kind) {

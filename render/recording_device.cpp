@@ -164,7 +164,8 @@ void RecordingDevice::draw(const DrawCall& call) {
       {u.pixels_per_unit, u.half_width_px, u.view_radius_px, u.ring_px, u.dash_px, u.dash_period_px, u.arc_pieces}));
   MES_ASSERT(u.pixels_per_unit > 0.0F && u.half_view_px.x > 0.0F && u.half_view_px.y > 0.0F && u.one == 1.0F);
   MES_ASSERT(!call.program.dashed || u.dash_period_px > 0.0F);
-  MES_ASSERT(!is_ring(call.program.kind) || u.arc_pieces == 0.0F || u.arc_pieces >= 3.0F);
+  MES_ASSERT(!is_curve(call.program.kind) || u.arc_pieces == 0.0F ||
+             u.arc_pieces >= (call.program.kind == PrimitiveKind::parabola ? 1.0F : 3.0F));
   MES_ASSERT(is_color(u.color));
   if (call.program.mapped) {
     MES_ASSERT(end * sizeof(double) <= bytes_of(call.scalars).size());

@@ -143,6 +143,13 @@ float pixels(double logical, double content_scale) {
 /// The number of quads along a circle: more of them cost vertices, fewer cost fragments between chord and rim. A small
 /// circle is a square (0): by measurement, a square of 30 pixels costs as much as eight quads.
 float arc_pieces(PrimitiveKind kind, const InstanceExtent& extent, double scale) {
+  if (kind == PrimitiveKind::parabola) {
+    // n chords leave a curve by 1 / n^2 of what one chord does.
+    constexpr double kAllowedPx = 0.1;
+    constexpr double kMost = 96.0;
+    return static_cast<float>(
+        std::clamp(std::ceil(std::sqrt(0.25 * extent.length * scale / kAllowedPx)), 1.0, kMost));
+  }
   if (extent.radius * scale < 16.0) return 0.0F;
   // An arc deviates from its chords at most as much as a circle with its length.
   const double radius_px =

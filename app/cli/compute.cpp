@@ -46,7 +46,8 @@ Json json_of(const LayerSummary& summary, const LayerDescriptor& layer, std::uin
   for (const PrimitiveKind kind : kAllPrimitiveKinds)
     if (emits(kind)) out[std::string(plural_of(kind))] = summary.count[static_cast<std::size_t>(kind)];
   if (emits(PrimitiveKind::segment)) out["zero_length"] = summary.zero_length;
-  if (emits(PrimitiveKind::segment) || emits(PrimitiveKind::arc)) out["length"] = summary.length;
+  if (emits(PrimitiveKind::segment) || emits(PrimitiveKind::arc) || emits(PrimitiveKind::parabola))
+    out["length"] = summary.length;
   if (emits(PrimitiveKind::circle) || emits(PrimitiveKind::disk)) out["radius_sum"] = summary.radius_sum;
   if (emits(PrimitiveKind::triangle)) out["area"] = summary.area;
   if (lost + summary.not_finite != 0) out["not_finite"] = lost + summary.not_finite;

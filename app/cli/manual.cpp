@@ -323,7 +323,10 @@ void write_formats(const Registry& registry, Markdown& page) {
       "in metres for a map in degrees. GeoJSON and WKT have no circles: a circle, a disk\n"
       "or an arc has 96 sides a turn there, and GeoJSON names its centre and radius. Chains of GeoJSON have the "
       "scalar\n"
-      "of each of their segments. Rays and lines are in `csv` alone; elsewhere they are left out, with a message.");
+      "of each of their segments. An arc of a parabola is a quadratic Bézier curve with the control point `xc,yc`: a "
+      "curve\n"
+      "in `svg-path` too, and sides within 1/1024 of the distance from its focus elsewhere. Rays and lines are in\n"
+      "`csv` alone; elsewhere they are left out, with a message.");
 
   page.subsection("The range of coordinates");
   page.paragraph(

@@ -22,7 +22,8 @@ std::vector<Vec2> places_of(const ProvenanceShape& shape) {
     case PrimitiveKind::disk:
     case PrimitiveKind::circle: return {first};
     case PrimitiveKind::segment: return {first, second};
-    case PrimitiveKind::triangle: return {first, second, {v[4], v[5]}};
+    case PrimitiveKind::triangle:
+    case PrimitiveKind::parabola: return {first, second, {v[4], v[5]}};
     case PrimitiveKind::arc: return {first, {v[3], v[4]}, {v[5], v[6]}};
     case PrimitiveKind::ray: return {first, first + perpendicular(second), first - perpendicular(second)};
     case PrimitiveKind::line: return {first + perpendicular(second), first - perpendicular(second)};

@@ -18,6 +18,7 @@ std::vector<Vec2> corners_of_shape(const ProvenanceShape& shape) {
     case PrimitiveKind::disk:
     case PrimitiveKind::circle:
     case PrimitiveKind::arc:
+    case PrimitiveKind::parabola:
     case PrimitiveKind::ray:
     case PrimitiveKind::line: return {};
   }

@@ -28,6 +28,7 @@ Box2 box_of(const LayerMirror& mirror, VariantLayer layer) {
           box.add(Vec2{v[0] + v[2], v[1] + v[2]});
           break;
         case PrimitiveKind::arc: box.add(bounding_box_of(arc_of(v))); break;
+        case PrimitiveKind::parabola: box.add(bounding_box_of(parabola_of(v))); break;
         case PrimitiveKind::triangle: box.add(Vec2{v[4], v[5]}); [[fallthrough]];
         case PrimitiveKind::segment: box.add(Vec2{v[2], v[3]}); [[fallthrough]];
         case PrimitiveKind::point: box.add(Vec2{v[0], v[1]}); break;

@@ -32,10 +32,13 @@ Cells cells_of(const Registry& registry, const Workbench& bench, const std::vect
     const LayerDescriptor& descriptor = registry.layers()[layer];
     const std::string prefix = "layers." + std::string(descriptor.id) + '.';
     const LayerSummary summary = summarise(bench.mirror(), layer);
+    bool has_length = false;
     for (const PrimitiveKind kind : descriptor.kinds) {
       out.emplace_back(prefix + std::string(plural_of(kind)),
                        std::to_string(summary.count[static_cast<std::size_t>(kind)]));
-      if (kind == PrimitiveKind::segment || kind == PrimitiveKind::arc)
+      const bool is_measured =
+          kind == PrimitiveKind::segment || kind == PrimitiveKind::arc || kind == PrimitiveKind::parabola;
+      if (is_measured && !std::exchange(has_length, true))
         out.emplace_back(prefix + "length", cell_of(summary.length));
       if (kind == PrimitiveKind::triangle) out.emplace_back(prefix + "area", cell_of(summary.area));
     }

@@ -9,8 +9,8 @@
 namespace mes {
 
 std::string_view plural_of(PrimitiveKind kind) {
-  constexpr std::array<std::string_view, kPrimitiveKinds> names{"points", "disks", "circles",   "segments",
-                                                                "rays",   "lines", "triangles", "arcs"};
+  constexpr std::array<std::string_view, kPrimitiveKinds> names{"points", "disks",     "circles", "segments", "rays",
+                                                                "lines",  "triangles", "arcs",    "parabolas"};
   return names[static_cast<std::size_t>(kind)];
 }
 
@@ -37,6 +37,9 @@ void LayerTally::add(PrimitiveKind kind, std::span<const double> values) {
         const Arc arc = arc_of(v);
         length_.add(arc.radius * sweep_of(arc));
       });
+      break;
+    case PrimitiveKind::parabola:
+      for_each([this](const double* v) { length_.add(length_of(parabola_of(v))); });
       break;
     case PrimitiveKind::triangle:
       for_each([this](const double* v) {

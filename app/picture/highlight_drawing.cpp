@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "core/base/arc.h"
+#include "core/base/parabola_arc.h"
 
 namespace mes {
 namespace {
@@ -57,6 +58,7 @@ ProvenanceShape shape_of(const HighlightedElement& element, HighlightPlaces& pla
       v = {a.x, a.y, b.x, b.y};
       break;
     }
+    case PrimitiveKind::parabola:
     case PrimitiveKind::triangle: {
       const Vec2 a = places.place();
       const Vec2 b = places.place();
@@ -155,6 +157,11 @@ void HighlightPen::draw(const HighlightedShape& highlighted) {
       segment(a, second());
       segment(second(), third());
       return segment(third(), a);
+    case PrimitiveKind::parabola: {
+      const std::vector<Vec2> corners = corners_of(ParabolaArc{a, second(), third()});
+      for (std::size_t i = 1; i < corners.size(); ++i) segment(corners[i - 1], corners[i]);
+      return;
+    }
     case PrimitiveKind::ray: return endless(0.0);
     case PrimitiveKind::line: return endless(-kEndless);
     case PrimitiveKind::arc: {
@@ -181,6 +188,7 @@ double highlight_distance(const ProvenanceShape& shape, Vec2 px, const SeenPlane
     case PrimitiveKind::segment: return to_segment(a, second());
     case PrimitiveKind::triangle:
       return std::min({to_segment(a, second()), to_segment(second(), third()), to_segment(third(), a)});
+    case PrimitiveKind::parabola: return distance_to(ParabolaArc{a, second(), third()}, px);
     case PrimitiveKind::ray: return distance_to_part(px, a, along({v[2], -v[3]}), 0.0, kEndless);
     case PrimitiveKind::line: return distance_to_part(px, a, along({v[2], -v[3]}), -kEndless, kEndless);
     case PrimitiveKind::arc: {

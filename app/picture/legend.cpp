@@ -121,7 +121,8 @@ class LegendLayout {
       case PrimitiveKind::segment:
       case PrimitiveKind::ray:
       case PrimitiveKind::line:
-      case PrimitiveKind::arc: break;
+      case PrimitiveKind::arc:
+      case PrimitiveKind::parabola: break;
     }
     const int dashes = style.dashed ? 3 : 1;
     const double step = (place.width + (dashes > 1 ? kDashGap : 0.0)) / dashes;

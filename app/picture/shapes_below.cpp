@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 #include "core/base/infinity.h"
 #include "core/draw/primitive_values.h"
@@ -41,6 +42,14 @@ bool meets_line(const Box2& box, Vec2 at, Vec2 way, double low, double high) {
          cut(way.y, box.high.y - at.y);
 }
 
+bool meets_parabola(const Box2& box, const ParabolaArc& arc) {
+  if (!meet(box, bounding_box_of(arc))) return false;
+  const std::vector<Vec2> corners = corners_of(arc);
+  for (std::size_t i = 1; i < corners.size(); ++i)
+    if (meets_line(box, corners[i - 1], corners[i] - corners[i - 1], 0.0, 1.0)) return true;
+  return false;
+}
+
 /// The two are disjoint if and only if a side of one of them separates them.
 bool meets_triangle(const Box2& box, const std::array<Vec2, 3>& corner) {
   Box2 bounds;
@@ -68,6 +77,7 @@ bool meets(const Box2& box, PrimitiveKind kind, const double* v) {
     case PrimitiveKind::ray: return meets_line(box, {v[0], v[1]}, {v[2], v[3]}, 0.0, kInfinity);
     case PrimitiveKind::line: return meets_line(box, {v[0], v[1]}, {v[2], v[3]}, -kInfinity, kInfinity);
     case PrimitiveKind::triangle: return meets_triangle(box, {Vec2{v[0], v[1]}, Vec2{v[2], v[3]}, Vec2{v[4], v[5]}});
+    case PrimitiveKind::parabola: return meets_parabola(box, parabola_of(v));
     case PrimitiveKind::arc: break;
   }
   return meets_circle(box, {v[0], v[1]}, v[2]) && meet(bounding_box_of(arc_of(v)), box);

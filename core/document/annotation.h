@@ -59,6 +59,7 @@ inline constexpr std::size_t kAnnotationKinds = 7;
 ///   segment           its ends
 ///   triangle          its corners
 ///   arc               the centre and its ends, counter-clockwise
+///   parabola          one end, the control point, the other end
 ///   line              two points; it is their perpendicular bisector
 ///   ray               its start, and two points: it leads to the left of the vector between them
 struct HighlightedElement {
@@ -80,6 +81,7 @@ constexpr std::size_t anchor_count(PrimitiveKind kind) {
     case PrimitiveKind::line: return 2;
     case PrimitiveKind::triangle:
     case PrimitiveKind::arc:
+    case PrimitiveKind::parabola:
     case PrimitiveKind::ray: return 3;
   }
   return 0;

@@ -24,6 +24,7 @@ Vec2 at(const double* values, std::size_t i) {
 Vec2 anchor(PrimitiveKind kind, const double* v) {
   switch (kind) {
     case PrimitiveKind::segment: return 0.5 * at(v, 0) + 0.5 * at(v, 2);
+    case PrimitiveKind::parabola: return 0.5 * at(v, 0) + 0.5 * at(v, 4);
     case PrimitiveKind::triangle: return 1.0 / 3.0 * at(v, 0) + 1.0 / 3.0 * at(v, 2) + 1.0 / 3.0 * at(v, 4);
     default: return at(v, 0);
   }
@@ -46,6 +47,8 @@ class Alike {
                std::min(between_directions(a, b, 1.0), between_directions(a, b, -1.0)) <= kDirectionTolerance;
       case PrimitiveKind::triangle: return triangles(a, b);
       case PrimitiveKind::arc: return near(a, b, 0, 0) && near(a[2], b[2]) && near(a, b, 3, 3) && near(a, b, 5, 5);
+      case PrimitiveKind::parabola:
+        return near(a, b, 2, 2) && ((near(a, b, 0, 0) && near(a, b, 4, 4)) || (near(a, b, 0, 4) && near(a, b, 4, 0)));
     }
     return false;
   }

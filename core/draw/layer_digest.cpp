@@ -59,6 +59,12 @@ void make_canonical(PrimitiveKind kind, Values& v) {
   switch (kind) {
     case PrimitiveKind::segment: sort_places(v, 2); break;
     case PrimitiveKind::triangle: sort_places(v, 3); break;
+    case PrimitiveKind::parabola:
+      if (lexicographically_less({v[4], v[5]}, {v[0], v[1]})) {
+        std::swap(v[0], v[4]);
+        std::swap(v[1], v[5]);
+      }
+      break;
     case PrimitiveKind::line:
       if (lexicographically_less({v[2], v[3]}, Vec2{})) {
         v[2] = 0.0 - v[2];

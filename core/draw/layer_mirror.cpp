@@ -20,7 +20,8 @@ void check_instance(PrimitiveKind kind, std::span<const double> values) {
     case PrimitiveKind::line: MES_ASSERT(values[2] != 0.0 || values[3] != 0.0); break;
     case PrimitiveKind::point:
     case PrimitiveKind::segment:
-    case PrimitiveKind::triangle: break;
+    case PrimitiveKind::triangle:
+    case PrimitiveKind::parabola: break;
   }
 }
 

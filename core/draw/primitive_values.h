@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/base/arc.h"
+#include "core/base/parabola_arc.h"
 #include "core/draw/primitives.h"
 
 namespace mes {
@@ -15,6 +16,11 @@ constexpr bool is_zero_length(const double* segment) {
 /// Converts an arc instance.
 constexpr Arc arc_of(const double* values) {
   return {{values[0], values[1]}, values[2], {values[3], values[4]}, {values[5], values[6]}};
+}
+
+/// Converts a parabola instance.
+constexpr ParabolaArc parabola_of(const double* values) {
+  return {{values[0], values[1]}, {values[2], values[3]}, {values[4], values[5]}};
 }
 
 }  // namespace mes

@@ -9,6 +9,7 @@
 
 #include "core/base/disk.h"
 #include "core/base/job_control.h"
+#include "core/base/parabola_arc.h"
 #include "core/draw/provenance.h"
 #include "core/graph/element.h"
 #include "core/graph/structure.h"
@@ -50,6 +51,9 @@ class ProvenanceShapes {
   void arc(const Disk& disk, const ShapePlace& from, const ShapePlace& to, const Followed& follows = {}) {
     add(PrimitiveKind::arc, {disk.center.x, disk.center.y, disk.radius, from.at.x, from.at.y, to.at.x, to.at.y},
         {follows, from.follows, to.follows});
+  }
+  void parabola(const ParabolaArc& arc) {
+    add(PrimitiveKind::parabola, {arc.from.x, arc.from.y, arc.control.x, arc.control.y, arc.to.x, arc.to.y}, {});
   }
   void triangle(const ShapePlace& a, const ShapePlace& b, const ShapePlace& c) {
     add(PrimitiveKind::triangle, {a.at.x, a.at.y, b.at.x, b.at.y, c.at.x, c.at.y}, {a.follows, b.follows, c.follows});

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/arc.h"
+#include "core/draw/primitive_values.h"
 
 namespace mes {
 namespace {
@@ -40,6 +40,7 @@ void HitSearch::look_at(PrimitiveKind kind, const double* v, ElementType type, R
       measure = is_beside ? std::abs(distance(at_, a) - v[2]) : std::min(distance(at_, from), distance(at_, to));
       break;
     }
+    case PrimitiveKind::parabola: measure = distance_to(parabola_of(v), at_); break;
     case PrimitiveKind::disk:
       rank = 2;
       if (distance(at_, a) <= v[2]) measure = v[2] * v[2];

@@ -112,7 +112,7 @@ class TablePart::Places {
 
  private:
   static constexpr std::uint32_t kNoPlace = 0xffffffffU;
-  static constexpr unsigned kIndexBits = 29;
+  static constexpr unsigned kIndexBits = 28;
   static constexpr std::uint32_t kIndexMask = (1U << kIndexBits) - 1U;
   static_assert(kPrimitiveKinds <= std::size_t{1} << (32U - kIndexBits));
   static std::size_t index_of(PrimitiveKind kind) { return static_cast<std::size_t>(kind); }

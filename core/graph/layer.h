@@ -22,6 +22,7 @@
 
 #include "core/base/arc.h"
 #include "core/base/change_set.h"
+#include "core/base/parabola_arc.h"
 #include "core/draw/layer_descriptor.h"
 #include "core/draw/patch.h"
 #include "core/graph/hit.h"
@@ -51,6 +52,9 @@ class Instance {
   void arc(const Arc& arc, double scalar = 0.0) {
     set(PrimitiveKind::arc,
         {arc.center.x, arc.center.y, arc.radius, arc.from.x, arc.from.y, arc.to.x, arc.to.y, scalar});
+  }
+  void parabola(const ParabolaArc& arc, double scalar = 0.0) {
+    set(PrimitiveKind::parabola, {arc.from.x, arc.from.y, arc.control.x, arc.control.y, arc.to.x, arc.to.y, scalar});
   }
 
   /// The same by kind: coordinates first, then the scalar.

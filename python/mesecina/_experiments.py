@@ -12,7 +12,8 @@ import numpy as np
 from . import _arrays, _mesecina
 from ._tables import attribute_of, builtin, described_structures
 
-_KINDS = {"point": 2, "disk": 3, "circle": 3, "segment": 4, "ray": 4, "line": 4, "triangle": 6, "arc": 7}
+_KINDS = {"point": 2, "disk": 3, "circle": 3, "segment": 4, "ray": 4, "line": 4, "triangle": 6, "arc": 7,
+          "parabola": 6}
 
 
 def structure(*, id=None, inputs=None, rows=None):
@@ -66,7 +67,7 @@ def layer(*, rows, kind, id=None, name=None, inputs=None, scalar="", color=(0.85
     rows
         the table whose rows are drawn, one primitive each
     kind
-        "point", "disk", "circle", "segment", "ray", "line", "triangle" or "arc"
+        "point", "disk", "circle", "segment", "ray", "line", "triangle", "arc" or "parabola"
     scalar
         the meaning of the scalar, with its unit; empty: the layer has none
     color, opacity, line_width, point_size, color_map

@@ -45,6 +45,8 @@ def _draw(ax, kind, values, style, order):
         ax.update_datalim(np.concatenate([values[:, :2] - reach, values[:, :2] + reach]))
     elif kind == "arc":
         ax.add_collection(LineCollection([_arc(*one) for one in values], colors=[color], linewidths=width, **common))
+    elif kind == "parabola":
+        ax.add_collection(LineCollection([_parabola(*one) for one in values], colors=[color], linewidths=width, **common))
     elif kind in ("ray", "line"):
         for x, y, dx, dy in values:
             if kind == "line":
@@ -61,6 +63,12 @@ def _arc(x, y, radius, x1, y1, x2, y2):
         turn = 2.0 * np.pi
     angles = begin + np.linspace(0.0, turn, max(2, int(np.ceil(np.degrees(turn) / 2.0)) + 1))
     return np.column_stack([x + radius * np.cos(angles), y + radius * np.sin(angles)])
+
+
+def _parabola(x1, y1, x, y, x2, y2):
+    """Points along the quadratic Bezier curve."""
+    t = np.linspace(0.0, 1.0, 65)[:, None]
+    return (1.0 - t) ** 2 * [[x1, y1]] + 2.0 * t * (1.0 - t) * [[x, y]] + t**2 * [[x2, y2]]
 
 
 def _ray(ax, begin, direction, **style):

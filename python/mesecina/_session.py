@@ -346,7 +346,7 @@ class Session:
 
         kind
             point: x y; disk, circle: x y r; segment: x1 y1 x2 y2; ray, line: x y dx dy; triangle: x1 y1 x2 y2 x3 y3;
-            arc: x y r x1 y1 x2 y2, counter-clockwise
+            arc: x y r x1 y1 x2 y2, counter-clockwise; parabola: x1 y1 xc yc x2 y2, with the control point in the middle
 
         Read-only and without a copy, as columns of tables are.
         """

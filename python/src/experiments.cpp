@@ -244,6 +244,7 @@ class PyDrawer final : public mesecina::Drawer {
       case PrimitiveKind::line: return out.line({v[0], v[1]}, {v[2], v[3]}, v[4]);
       case PrimitiveKind::triangle: return out.triangle({v[0], v[1]}, {v[2], v[3]}, {v[4], v[5]}, v[6]);
       case PrimitiveKind::arc: return out.arc({{v[0], v[1]}, v[2]}, {v[3], v[4]}, {v[5], v[6]}, v[7]);
+      case PrimitiveKind::parabola: return out.parabola({v[0], v[1]}, {v[2], v[3]}, {v[4], v[5]}, v[6]);
     }
   }
 

@@ -8,7 +8,7 @@
 // Guarantees:
 //  1. Layers, groups, runs and shapes are in drawing order, bottom first.
 //  2. Each shape stands for one primitive of its layer; a primitive that is invisible on the page has no shape, one
-//     that is cut by it may have two. Only segments of opaque runs are reordered.
+//     that is cut by it may have several. Only segments and parabolas of opaque runs are reordered.
 //  3. Lines, rays and segments end at most a stroke's width beyond the page; the writer cuts them at its edge. No
 //     coordinate of a shape is farther from the page than some diagonals of it.
 //
@@ -40,6 +40,7 @@ enum class ShapeKind : std::uint8_t {
   rim,       ///< filled, part of a huge disk: a Bezier curve p[0..3], then straight to p[4], p[5], and back
   circle,    ///< stroked: centre p[0], `radius`
   segment,   ///< stroked: p[0] to p[1]
+  parabola,  ///< stroked, an arc of one: a quadratic Bezier curve from p[0] to p[1] with the control point p[2]
   arc,       ///< stroked: from p[0] to p[1], centre p[2], `radius`; counter-clockwise as seen, by `sweep`
   curve,     ///< stroked, part of a huge circle: a Bezier curve p[0..3]
 };
@@ -50,6 +51,11 @@ struct Shape {
   double radius = 0.0;
   double sweep = 0.0;  ///< radians, in (0, 2 pi)
 };
+
+/// True for the kinds that writers join into chains: from p[0] to p[1].
+constexpr bool is_chained(ShapeKind kind) {
+  return kind == ShapeKind::segment || kind == ShapeKind::parabola;
+}
 
 constexpr bool is_filled(ShapeKind kind) {
   return kind == ShapeKind::disk || kind == ShapeKind::triangle || kind == ShapeKind::rim;

@@ -9,6 +9,7 @@
 
 #include "core/base/arc.h"
 #include "core/base/assert.h"
+#include "core/base/parabola_arc.h"
 #include "core/base/turn.h"
 #include "render/figure/internal/chains.h"
 #include "render/figure/internal/grid.h"
@@ -166,6 +167,7 @@ class LayerBuilder {
       case PrimitiveKind::line: straight(to_page(v[0], v[1]), direction(v[2], v[3]), {-kEndless, kEndless}); break;
       case PrimitiveKind::triangle: triangle(v); break;
       case PrimitiveKind::arc: arc({{v[0], v[1]}, v[2], {v[3], v[4]}, {v[5], v[6]}}); break;
+      case PrimitiveKind::parabola: parabola(v); break;
     }
   }
 
@@ -274,6 +276,41 @@ class LayerBuilder {
     put({.kind = ShapeKind::segment, .p = {at(seen.low, 0.0, start), at(seen.high, 1.0, start + direction)}}, dashes);
   }
 
+  void parabola(const double* v) {
+    const ParabolaArc arc{to_page(v[0], v[1]), to_page(v[2], v[3]), to_page(v[4], v[5])};
+    if (!is_finite(arc.from) || !is_finite(arc.control) || !is_finite(arc.to)) return;
+    parabola(arc, 0.0, 1.0, 0);
+  }
+
+  /// Adds the part of the arc from parameter `low` to `high`. Halves it if it is in view and reaches far beyond.
+  void parabola(const ParabolaArc& arc, double low, double high, int halvings) {
+    constexpr int kMostHalvings = 60;
+    const ParabolaArc part = part_of(arc, low, high);
+    const Box2 bounds = bounding_box_of(part);
+    if (!meet(bounds, box_)) return;
+    const Box2 near = box_near_page();
+    if (!near.contains(bounds.low) || !near.contains(bounds.high)) {
+      const double middle = 0.5 * (low + high);
+      if (halvings == kMostHalvings) return;
+      parabola(arc, low, middle, halvings + 1);
+      parabola(arc, middle, high, halvings + 1);
+      return;
+    }
+    Dashes dashes;
+    if (style_.dashed)
+      dashes = {dash_, period_ - dash_, std::fmod(length_of(part_of(arc, 0.0, low)) + 0.5 * dash_, period_)};
+    // The curve leaves its chord by a quarter of this at most.
+    const double bend = length((part.to - part.control) - (part.control - part.from));
+    const bool is_straight = 0.25 * bend < 0.5 * grid_.step();
+    put({.kind = is_straight ? ShapeKind::segment : ShapeKind::parabola, .p = {part.from, part.to, part.control}},
+        dashes);
+  }
+
+  /// Coordinates in this box are of the page's size.
+  Box2 box_near_page() const {
+    return {box_.low - Vec2{diagonal_, diagonal_}, box_.high + Vec2{diagonal_, diagonal_}};
+  }
+
   void triangle(const double* v) {
     std::vector<Vec2> corners{to_page(v[0], v[1]), to_page(v[2], v[3]), to_page(v[4], v[5])};
     Box2 bounds;
@@ -284,7 +321,7 @@ class LayerBuilder {
     if (!meet(bounds, box_)) return;
     if (cross(corners[1] - corners[0], corners[2] - corners[0]) < 0.0) std::swap(corners[1], corners[2]);
     // Corners keep their positions while the numbers are of the page's size.
-    const Box2 near{box_.low - Vec2{diagonal_, diagonal_}, box_.high + Vec2{diagonal_, diagonal_}};
+    const Box2 near = box_near_page();
     if (!near.contains(bounds.low) || !near.contains(bounds.high)) {
       corners = cut(corners, [&](Vec2 p) { return p.x - box_.low.x; });
       corners = cut(corners, [&](Vec2 p) { return box_.high.x - p.x; });
@@ -340,6 +377,7 @@ Box2 bounds_of(const Shape& shape) {
     case ShapeKind::triangle:
       for (std::size_t i = 0; i < 3; ++i) box.add(shape.p[i]);
       return box;
+    case ShapeKind::parabola: return bounding_box_of(ParabolaArc{shape.p[0], shape.p[2], shape.p[1]});
     case ShapeKind::arc: {
       // Mirrored, so that counter-clockwise has the meaning of `Arc`.
       const auto flipped = [](Vec2 p) { return Vec2{p.x, -p.y}; };

@@ -172,11 +172,18 @@ class IpeWriter {
     switch (shape.kind) {
       case ShapeKind::disk:
       case ShapeKind::circle: return 1;
+      case ShapeKind::parabola:
       case ShapeKind::segment: {
         const std::size_t count = with_chains ? chain_length(shapes, i) : 1;
         const std::span<const Shape> chain = shapes.subspan(i, count);
         const bool closed = is_loop(chain);
-        for (std::size_t k = 0; k + (closed ? 1 : 0) < count; ++k) line(chain[k].p[1]);
+        for (const Shape& side : chain) {
+          const bool is_last = &side == &chain.back();
+          if (side.kind == ShapeKind::parabola)
+            body_ += text(side.p[2]) + ' ' + text(side.p[1]) + " q\n";
+          else if (!closed || !is_last)
+            line(side.p[1]);
+        }
         if (closed) body_ += "h\n";
         return count;
       }

@@ -277,11 +277,17 @@ class PdfBook::Writer {
         for (const Bezier& bezier : circle_curves(shape, decimals_)) curve(bezier, out);
         out += "h\n";
         return 1;
+      case ShapeKind::parabola:
       case ShapeKind::segment: {
         const std::size_t count = with_chains ? chain_length(shapes, i) : 1;
         const std::span<const Shape> chain = shapes.subspan(i, count);
         move(shape.p[0]);
-        for (const Shape& segment : chain) line(segment.p[1]);
+        for (const Shape& side : chain) {
+          if (side.kind == ShapeKind::segment)
+            line(side.p[1]);
+          else
+            curve(parabola_curve(side), out);
+        }
         if (is_loop(chain)) out += "h\n";
         return count;
       }

@@ -217,11 +217,21 @@ class SvgWriter {
     switch (shape.kind) {
       case ShapeKind::disk:
       case ShapeKind::circle: return 1;
+      case ShapeKind::parabola:
       case ShapeKind::segment: {
         const std::size_t count = with_chains ? chain_length(shapes, i) : 1;
         const std::span<const Shape> chain = shapes.subspan(i, count);
         move(shape.p[0]);
-        for (const Shape& segment : chain) line(segment.p[1]);
+        for (const Shape& side : chain) {
+          if (side.kind == ShapeKind::segment) {
+            line(side.p[1]);
+            continue;
+          }
+          out_ += 'Q';
+          number_(side.p[2]);
+          out_ += ' ';
+          number_(side.p[1]);
+        }
         if (is_loop(chain)) out_ += 'Z';
         return count;
       }

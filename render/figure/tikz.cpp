@@ -173,11 +173,17 @@ class TikzWriter {
     switch (shape.kind) {
       case ShapeKind::disk:
       case ShapeKind::circle: body_ += " circle[radius=" + length(shape.radius) + ']'; return 1;
+      case ShapeKind::parabola:
       case ShapeKind::segment: {
         const std::size_t count = std::min(with_chains ? chain_length(shapes, i) : 1, kShapesInAPath);
         const std::span<const Shape> chain = shapes.subspan(i, count);
-        for (std::size_t k = 0; k + 1 < count; ++k) body_ += " -- " + text(chain[k].p[1]);
-        body_ += is_loop(chain) ? std::string(" -- cycle") : " -- " + text(chain.back().p[1]);
+        for (const Shape& side : chain) {
+          if (side.kind == ShapeKind::parabola)
+            curves({parabola_curve(side)});
+          else if (!is_loop(chain) || &side != &chain.back())
+            body_ += " -- " + text(side.p[1]);
+        }
+        if (is_loop(chain)) body_ += " -- cycle";
         return count;
       }
       case ShapeKind::triangle:

@@ -13,6 +13,7 @@ Wide wide_offset(uvec2 bits, int axis) {
                    : near_offset(bits, u_center_1.y, u_center_2.y, u_center_3.y);
 }
 Wide wide_number(uvec2 bits) { return near_number(bits); }
+Wide wide_of(float a) { return a; }
 Wide wide_sub(Wide a, Wide b) { return a - b; }
 Wide wide_add(Wide a, Wide b) { return a + b; }
 Wide wide_mul(Wide a, Wide b) { return a * b; }
@@ -69,12 +70,14 @@ Wide wide_number(uvec2 bits) {
   vec3 p = pieces(bits);
   return wide_sum(p.x, p.y, p.z);
 }
+Wide wide_of(float a) { return vec2(a, 0.0); }
 float narrow(Wide a) { return a.x; }
 
 #else
 
 #define Wide double
 Wide wide_number(uvec2 bits) { return packDouble2x32(bits); }
+Wide wide_of(float a) { return double(a); }
 Wide wide_offset(uvec2 bits, int axis) {
   PRECISE double high = packDouble2x32(bits) - packDouble2x32(axis == 0 ? u_center_words.xy : u_center_words.zw);
   return high - packDouble2x32(axis == 0 ? u_center_low_words.xy : u_center_low_words.zw);

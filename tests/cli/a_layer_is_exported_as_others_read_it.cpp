@@ -264,6 +264,45 @@ TEST_CASE("circles and arcs keep their radius in a path of SVG") {
   for (const std::string& arc : lines_of(arcs)) CHECK_THAT(arc, Catch::Contains(" A 5 5 0 1 0 "));
 }
 
+TEST_CASE("parabolas of the axis are curves in a path of SVG and a table, and chains of sides elsewhere") {
+  // An L: two arcs, with their focus at (1, 1), meet on its diagonal.
+  const std::string l_shape = "POFF 6 0 0\n0 0\n2 0\n2 1\n1 1\n1 2\n0 2\n# loop closed 0 1 2 3 4 5\n";
+  const auto of = [&](const char* format) {
+    return exported_with(
+        {"export", "-", "--from", "poff", "--vertices", "--layer", "outline-axis", "--format", format}, l_shape);
+  };
+  std::vector<std::vector<double>> arcs;
+  for (const std::string& line : lines_of(of("csv"))) {
+    if (!line.starts_with("parabola,")) continue;
+    std::istringstream cells(line.substr(9));
+    arcs.emplace_back();
+    for (std::string cell; std::getline(cells, cell, ',');) arcs.back().push_back(std::stod(cell));
+    REQUIRE(arcs.back().size() == 7);
+  }
+  REQUIRE(arcs.size() == 2);
+  const std::string path = of("svg-path");
+  CHECK(std::ranges::count(path, 'Q') == 2);
+  for (const std::vector<double>& arc : arcs)
+    CHECK(path.find(fmt::format(" Q {} {} ", arc[2], -arc[3])) != std::string::npos);
+  // In GeoJSON each chain leads from a node of three edges, or a corner, to another one, along whole curves.
+  const Json map = Json::parse(of("geojson"));
+  std::size_t on_arcs = 0;
+  for (const Json& feature : map["features"]) {
+    const Json& points = feature["geometry"]["coordinates"];
+    CHECK(feature["properties"]["scalars"].size() == points.size() - 1);
+    for (const Json& point : points) {
+      const double x = point[0];
+      const double y = point[1];
+      const double to_side = std::min(x, y);
+      const double to_corner = std::hypot(x - 1.0, y - 1.0);
+      if (std::abs(to_side - to_corner) < 1e-12) ++on_arcs;
+    }
+  }
+  CHECK(on_arcs > 16);
+  CHECK(of("dxf").find("POLYLINE") != std::string::npos);
+  CHECK(of("poff").find("# loop open") != std::string::npos);
+}
+
 TEST_CASE("a layer in DXF has polylines, circles and arcs, on a layer with its id") {
   CHECK(exported("-", "b-inner-circles", "dxf", "WPOFF 1 0 0\n1 2 3\n") ==
         "0\nSECTION\n2\nENTITIES\n0\nCIRCLE\n8\nb-inner-circles\n10\n1\n20\n2\n30\n0\n40\n3\n0\nENDSEC\n0\nEOF\n");

@@ -30,13 +30,14 @@ TEST_CASE("each primitive on the page is one shape, at its place with y downward
   layers.add(0, PrimitiveKind::segment, {1, 2, 3, 4, 0});
   layers.add(0, PrimitiveKind::triangle, {0, 0, 10, 0, 0, 10, 0});
   layers.add(0, PrimitiveKind::arc, {100, 50, 10, 110, 50, 100, 60, 0});
+  layers.add(0, PrimitiveKind::parabola, {20, 60, 30, 80, 40, 60, 0});
   layers.show(0).point_size_px = 8.0;
   const Figure figure = layers.figure();
   REQUIRE(figure.layers.size() == 1);
   const std::vector<Shape> shapes = shapes_of(figure.layers[0]);
-  REQUIRE(shapes.size() == 7);
-  CHECK(shape_count(figure) == 7);
-  // Triangles, disks, segments, circles, arcs, points: as the screen stacks them.
+  REQUIRE(shapes.size() == 8);
+  CHECK(shape_count(figure) == 8);
+  // Triangles, disks, segments, parabolas, circles, arcs, points: as the screen stacks them.
   CHECK(shapes[0].kind == ShapeKind::triangle);
   CHECK(shapes[1].kind == ShapeKind::disk);
   CHECK(shapes[1].p[0] == Vec2{50, 50});
@@ -44,14 +45,18 @@ TEST_CASE("each primitive on the page is one shape, at its place with y downward
   CHECK(shapes[2].kind == ShapeKind::segment);
   CHECK(shapes[2].p[0] == Vec2{1, 98});
   CHECK(shapes[2].p[1] == Vec2{3, 96});
-  CHECK(shapes[3].kind == ShapeKind::circle);
-  CHECK(shapes[4].kind == ShapeKind::arc);
-  CHECK(shapes[4].p[0] == Vec2{110, 50});
-  CHECK(shapes[4].p[1] == Vec2{100, 40});
-  CHECK(shapes[4].sweep == Approx(1.5707963267948966));
-  CHECK(shapes[5].kind == ShapeKind::disk);
-  CHECK(shapes[5].radius == Approx(0.5 * 8.0 * 0.75));
-  CHECK(shapes[6].p[0] == Vec2{30, 60});
+  CHECK(shapes[3].kind == ShapeKind::parabola);
+  CHECK(shapes[3].p[0] == Vec2{20, 40});
+  CHECK(shapes[3].p[1] == Vec2{40, 40});
+  CHECK(shapes[3].p[2] == Vec2{30, 20});
+  CHECK(shapes[4].kind == ShapeKind::circle);
+  CHECK(shapes[5].kind == ShapeKind::arc);
+  CHECK(shapes[5].p[0] == Vec2{110, 50});
+  CHECK(shapes[5].p[1] == Vec2{100, 40});
+  CHECK(shapes[5].sweep == Approx(1.5707963267948966));
+  CHECK(shapes[6].kind == ShapeKind::disk);
+  CHECK(shapes[6].radius == Approx(0.5 * 8.0 * 0.75));
+  CHECK(shapes[7].p[0] == Vec2{30, 60});
 }
 
 TEST_CASE("widths are in points, a pixel being 0.75 of one, and follow the scale") {

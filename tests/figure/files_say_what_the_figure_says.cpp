@@ -120,6 +120,37 @@ TEST_CASE("long arcs of an SVG are given in pieces that do not hang on the last 
   CHECK(path.ends_with(" 100 90"));
 }
 
+TEST_CASE("parabolas are quadratic curves of an SVG and exact cubic ones elsewhere, in one path with segments") {
+  Layers layers;
+  // From (10, 20) straight to (40, 50), on by a curve to (100, 50), and back by a segment, given against that order.
+  layers.add(0, PrimitiveKind::segment, {40, 50, 10, 20, 0, 10, 20, 100, 50, 0});
+  layers.add(0, PrimitiveKind::parabola, {100, 50, 70, 80, 40, 50, 0});
+  layers.show(0);
+  const Figure figure = layers.figure();
+  CHECK(values_of(text_of(".svg", figure), "d") == std::vector<std::string>{"M10 80L100 50Q70 20 40 50L10 80Z"});
+  CHECK(count_of(text_of(".ipe", figure), "70 80 40 50 q\n") == 1);
+  // 100 + 2/3 (70 - 100) and 40 + 2/3 (70 - 40), and two thirds of the way from 50 to 80.
+  CHECK(count_of(text_of(".tex", figure), "(100,50) .. controls (80,70) and (60,70) .. (40,50) -- cycle") == 1);
+}
+
+TEST_CASE("a parabola that is straight to the grid is a segment, and of a huge one the part in view is kept") {
+  Layers layers;
+  layers.add(0, PrimitiveKind::parabola, {10, 20, 50, 20.0001, 90, 20, 0});
+  layers.show(0);
+  CHECK(values_of(text_of(".svg", layers.figure()), "d") == std::vector<std::string>{"M10 80L90 80"});
+  Layers huge;
+  // y = x^2 / 100 from x = -10^6 to 10^6.
+  huge.add(0, PrimitiveKind::parabola, {-1e6, 1e10, 0, -1e10, 1e6, 1e10, 0});
+  huge.show(0);
+  const Figure figure = huge.figure();
+  REQUIRE(shape_count(figure) > 0);
+  for (const Shape& shape : test::shapes_of(figure.layers[0]))
+    for (std::size_t i = 0; i < 2; ++i) {
+      CHECK(std::abs(shape.p[i].x) < 2000.0);
+      CHECK(100.0 - shape.p[i].y == Approx(0.01 * shape.p[i].x * shape.p[i].x).margin(0.02));
+    }
+}
+
 TEST_CASE("a PDF has an optional content group for each layer, and a table of where its objects are") {
   const std::string pdf = text_of(".pdf", some_layers().figure());
   CHECK(count_of(pdf, "/Type/OCG/") == 3);

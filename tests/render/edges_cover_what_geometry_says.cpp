@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/base/parabola_arc.h"
 #include "core/base/rng.h"
 #include "tests/render/drawing.h"
 #include "tests/render/images.h"
@@ -134,6 +135,31 @@ TEST_CASE("an arc and what it leaves of its circle are the circle") {
   }
   drawing.set(3, arc, {c.x, c.y, kRadius, c.x, c.y + kRadius, c.x, c.y + kRadius});
   CHECK(drawing.draw(pixel_camera(100, 100), {{3, black(3.0)}}).rgba == whole.rgba);
+}
+
+TEST_CASE("parabolas cover length times width and their caps, bent little or much, and in parts as a whole") {
+  Drawing drawing;
+  Rng random(7);
+  for (const double width : {2.0, 5.0}) {
+    for (const double height : {0.0, 0.5, 5.0, 40.0, 120.0}) {
+      for (int i = 0; i < 5; ++i) {
+        const double angle = 0.3 + i;
+        const Vec2 along{std::cos(angle), std::sin(angle)};
+        const Vec2 middle{150.3, 150.4};
+        const ParabolaArc whole{middle - 60.0 * along, middle + height * perpendicular(along), middle + 60.0 * along};
+        const auto area = [&](const ParabolaArc& arc) {
+          drawing.set(0, parabola, {arc.from.x, arc.from.y, arc.control.x, arc.control.y, arc.to.x, arc.to.y});
+          return covered_area(drawing.draw(pixel_camera(300, 300), {{0, black(width)}}));
+        };
+        const double caps = 0.25 * kPi * (width * width + 1.0 / 3.0);
+        CAPTURE(width, height, angle);
+        CHECK(area(whole) == Approx(length_of(whole) * width + caps).epsilon(0.015));
+        const double t = random.uniform(0.2, 0.8);
+        CHECK(area(part_of(whole, 0.0, t)) ==
+              Approx(length_of(part_of(whole, 0.0, t)) * width + caps).epsilon(0.015));
+      }
+    }
+  }
 }
 
 TEST_CASE("triangles cover their area, needles too") {

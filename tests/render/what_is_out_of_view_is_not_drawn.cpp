@@ -42,7 +42,8 @@ std::vector<double> in_cell(PrimitiveKind kind, std::size_t cell, Rng& rng) {
     case disk:
     case circle: return {c.x, c.y, r};
     case segment: return {a.x, a.y, b.x, b.y};
-    case triangle: return {a.x, a.y, b.x, b.y, d.x, d.y};
+    case triangle:
+    case parabola: return {a.x, a.y, b.x, b.y, d.x, d.y};
     case arc: return {c.x, c.y, r, from.x, from.y, to.x, to.y};
     default: return {};
   }
@@ -68,7 +69,7 @@ std::vector<std::uint32_t> shuffled(Rng& rng) {
   return out;
 }
 
-constexpr std::array kBounded{point, disk, circle, segment, triangle, arc};
+constexpr std::array kBounded{point, disk, circle, segment, triangle, arc, parabola};
 
 }  // namespace
 

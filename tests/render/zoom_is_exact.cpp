@@ -252,6 +252,41 @@ TEST_CASE("an arc ends where it should when magnified, whichever way it runs and
   }
 }
 
+TEST_CASE("a parabola stays smooth and in place when magnified, and ends where it should") {
+  const GlDeviceOptions options = GENERATE(from_range(kWays));
+  Drawing drawing(options);
+  // 2 y = x^2 from x = -1 to 1.
+  drawing.set(0, parabola, {-1.0, 0.5, 0.0, -0.5, 1.0, 0.5});
+  const double deepest = drawing.device().uses_double() ? 1e-12 : 1e-9;
+  for (const double view_width : {4.0, 1e-1, 1e-4, 1e-6, 1e-9, deepest}) {
+    const double pixel = view_width / kWidth;
+    for (const double x0 : {-0.75, 0.0, 0.5, 1.0}) {
+      const Vec2 at{x0, 0.5 * x0 * x0};
+      const double slope_length = std::hypot(1.0, x0);
+      const Image image = drawing.draw(camera_at(at, view_width), {{0, black(6.0)}});
+      CAPTURE(options.allow_double, options.allow_precise, view_width, x0);
+      double worst = 0.0;
+      for (int y = 0; y < kHeight; ++y) {
+        for (int x = 0; x < kWidth; ++x) {
+          const Vec2 px{x + 0.5 - 0.5 * kWidth, 0.5 * kHeight - y - 0.5};
+          const Vec2 p = pixel * px;
+          // Past an end the cap begins, whose pixels are left out in the largest view.
+          if (std::abs(x0 + p.x) > 0.9 && view_width > 1.0) continue;
+          double off = std::abs(p.y - x0 * p.x - 0.5 * p.x * p.x) / pixel;
+          // Near the curve, relative to the length of the gradient there.
+          off /= view_width > 1e-2 ? std::hypot(1.0, x0 + p.x) : slope_length;
+          if (view_width > 1e-2 && off > 3.5) continue;
+          const bool is_past = x0 == 1.0 && px.x + x0 * px.y > 0.0;
+          const double sd = is_past ? length(px) : off;
+          worst = std::max(worst, std::abs(std::clamp(3.5 - sd, 0.0, 1.0) - cover(image, x, y)));
+        }
+      }
+      // The last bit of a coordinate moves the curve by so much; a wide stroke of a large curve is not quite as wide.
+      CHECK(worst < (view_width > 1e-2 ? 0.35 : 0.06) + 2.5e-16 / pixel);
+    }
+  }
+}
+
 TEST_CASE("triangles far larger than the view have straight edges in place") {
   Drawing drawing;
   const double view_width = 1e-11;

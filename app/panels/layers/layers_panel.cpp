@@ -35,7 +35,7 @@ bool has_points(const LayerDescriptor& descriptor) {
 }
 bool has_strokes(const LayerDescriptor& descriptor) {
   return has_kind(descriptor, {PrimitiveKind::segment, PrimitiveKind::ray, PrimitiveKind::line, PrimitiveKind::circle,
-                               PrimitiveKind::arc});
+                               PrimitiveKind::arc, PrimitiveKind::parabola});
 }
 
 bool is_failed(NodeState state) {

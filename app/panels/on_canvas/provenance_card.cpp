@@ -9,6 +9,7 @@
 #include "app/ui/paragraph.h"
 #include "app/ui/theme.h"
 #include "app/ui/widgets.h"
+#include "core/draw/primitive_values.h"
 
 namespace mes {
 namespace {
@@ -43,6 +44,7 @@ Box2 box_of(const ProvenanceShape& shape) {
       out.add(Vec2{v[3], v[4]});
       out.add(Vec2{v[5], v[6]});
       return out;
+    case PrimitiveKind::parabola: return bounding_box_of(parabola_of(v.data()));
     case PrimitiveKind::triangle: out.add(Vec2{v[4], v[5]}); [[fallthrough]];
     case PrimitiveKind::segment: out.add(Vec2{v[2], v[3]}); [[fallthrough]];
     case PrimitiveKind::point:

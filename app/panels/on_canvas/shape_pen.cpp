@@ -5,6 +5,9 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <vector>
+
+#include "core/draw/primitive_values.h"
 
 namespace mes {
 namespace {
@@ -57,6 +60,7 @@ void ShapePen::draw(const ProvenanceShape& shape) const {
     case PrimitiveKind::disk:
     case PrimitiveKind::circle: return circle(a, v[2]);
     case PrimitiveKind::arc: return arc({a, v[2], {v[3], v[4]}, {v[5], v[6]}});
+    case PrimitiveKind::parabola: return parabola(parabola_of(v.data()));
     case PrimitiveKind::segment: return line(a, {v[2], v[3]});
     case PrimitiveKind::ray: return unbounded(a, {v[2], v[3]}, 0.0);
     case PrimitiveKind::line: return unbounded(a, {v[2], v[3]}, -std::numeric_limits<double>::infinity());
@@ -102,6 +106,11 @@ void ShapePen::arc(const Arc& arc) const {
   list_.PathArcTo(to_im(on_screen(arc.center)), static_cast<float>(r), from - static_cast<float>(sweep_of(arc)), from,
                   static_cast<int>(std::clamp(r, 24.0, 360.0)));
   list_.PathStroke(look_.color, 0, look_.width);
+}
+
+void ShapePen::parabola(const ParabolaArc& arc) const {
+  const std::vector<Vec2> corners = corners_of(arc);
+  for (std::size_t i = 1; i < corners.size(); ++i) line(corners[i - 1], corners[i]);
 }
 
 void ShapePen::line(Vec2 a, Vec2 b) const {

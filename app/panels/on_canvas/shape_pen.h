@@ -5,6 +5,7 @@
 #include "app/panels/on_canvas/pane_part.h"
 #include "app/ui/gui.h"
 #include "core/base/arc.h"
+#include "core/base/parabola_arc.h"
 #include "core/draw/provenance.h"
 
 namespace mes {
@@ -32,6 +33,7 @@ class ShapePen {
   void point(Vec2 world) const;
   void circle(Vec2 center, double radius) const;
   void arc(const Arc& arc) const;
+  void parabola(const ParabolaArc& arc) const;
   void line(Vec2 a, Vec2 b) const;
   void unbounded(Vec2 a, Vec2 d, double low) const;
 

@@ -29,7 +29,8 @@ void append_values(std::string& out, std::span<const double> values) {
 std::size_t positions_of(PrimitiveKind kind) {
   switch (kind) {
     case PrimitiveKind::segment: return 2;
-    case PrimitiveKind::triangle: return 3;
+    case PrimitiveKind::triangle:
+    case PrimitiveKind::parabola: return 3;
     default: return 1;
   }
 }
@@ -55,8 +56,15 @@ void append_coordinates(std::string& out, PrimitiveKind kind, std::span<const do
 }  // namespace
 
 std::string_view csv_columns(PrimitiveKind kind) {
-  constexpr std::array<std::string_view, kPrimitiveKinds> names{
-      "x,y", "x,y,r", "x,y,r", "x1,y1,x2,y2", "x,y,dx,dy", "x,y,dx,dy", "x1,y1,x2,y2,x3,y3", "x,y,r,a0,a1"};
+  constexpr std::array<std::string_view, kPrimitiveKinds> names{"x,y",
+                                                                "x,y,r",
+                                                                "x,y,r",
+                                                                "x1,y1,x2,y2",
+                                                                "x,y,dx,dy",
+                                                                "x,y,dx,dy",
+                                                                "x1,y1,x2,y2,x3,y3",
+                                                                "x,y,r,a0,a1",
+                                                                "x1,y1,xc,yc,x2,y2"};
   return names[static_cast<std::size_t>(kind)];
 }
 

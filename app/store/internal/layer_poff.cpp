@@ -73,7 +73,7 @@ Expected<LayerText> poff_of(const LayerGeometry& geometry) {
   // Keeps the input order and the curve order of the input.
   if (descriptor.data == LayerData::samples) return LayerText{write_poff(geometry.document)};
   if (!emits(descriptor, PrimitiveKind::point)) {
-    const SegmentChains found = chains_of(geometry.mirror.instances(layer, PrimitiveKind::segment));
+    const SegmentChains found = chains_of(segments_of(geometry.mirror, layer, ParabolasAs::chains));
     return LayerText{poff_text(found.points, found.chains, geometry.document.map())};
   }
   std::vector<Vec2> points;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <numbers>
+#include <optional>
 #include <span>
+#include <vector>
 
 #include "app/store/internal/layer_writers.h"
 #include "app/store/internal/plane_layer.h"
@@ -33,8 +35,16 @@ class PathText {
     end(false);
   }
   void polyline(std::span<const Vec2> corners, bool is_closed) {
+    chain(corners, std::vector<std::optional<Vec2>>(corners.size()), is_closed);
+  }
+  void chain(std::span<const Vec2> corners, std::span<const std::optional<Vec2>> controls, bool is_closed) {
     move_to(corners.front());
-    for (const Vec2 corner : corners.subspan(1)) place(" L", corner);
+    for (std::size_t i = 0; i < controls.size(); ++i) {
+      const bool is_last = i + 1 == corners.size();
+      if (is_last && !(is_closed && controls[i])) break;
+      if (controls[i]) place(" Q", *controls[i]);
+      place(controls[i] ? "" : " L", corners[is_last ? 0 : i + 1]);
+    }
     end(is_closed);
   }
 

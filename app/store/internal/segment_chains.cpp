@@ -5,7 +5,7 @@
 #include <map>
 #include <utility>
 
-#include "core/draw/primitives.h"
+#include "core/draw/primitive_values.h"
 
 namespace mes {
 namespace {
@@ -84,6 +84,22 @@ class ChainFinder {
 };
 
 }  // namespace
+
+std::vector<double> segments_of(const LayerMirror& mirror, LayerIndex layer, ParabolasAs parabolas) {
+  constexpr std::size_t kStride = stride_of(PrimitiveKind::parabola);
+  const std::span<const double> segments = mirror.instances(layer, PrimitiveKind::segment);
+  std::vector<double> out(segments.begin(), segments.end());
+  const std::span<const double> curved = mirror.instances(layer, PrimitiveKind::parabola);
+  for (std::size_t at = 0; at < curved.size(); at += kStride) {
+    const ParabolaArc arc = parabola_of(curved.data() + at);
+    const std::vector<Vec2> corners =
+        parabolas == ParabolasAs::chains ? corners_of(arc) : std::vector<Vec2>{arc.from, arc.to};
+    for (std::size_t i = 1; i < corners.size(); ++i)
+      out.insert(out.end(),
+                 {corners[i - 1].x, corners[i - 1].y, corners[i].x, corners[i].y, curved[at + kStride - 1]});
+  }
+  return out;
+}
 
 SegmentChains chains_of(std::span<const double> segments) {
   PointGraph graph = graph_of(segments);

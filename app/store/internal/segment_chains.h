@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The chains that the segments of a layer form.
+// The chains that the segments and parabolas of a layer form.
 #pragma once
 
 #include <cstdint>
@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/vec2.h"
+#include "core/draw/layer_mirror.h"
 
 namespace mes {
 
@@ -27,5 +28,12 @@ struct SegmentChains {
 
 /// Takes segments as patches have them. O(n log n).
 SegmentChains chains_of(std::span<const double> segments);
+
+enum class ParabolasAs : std::uint8_t {
+  chords,  ///< a segment each, from end to end
+  chains,  ///< segments along them (core/base/parabola_arc.h)
+};
+/// The segments of a layer, and after them its parabolas in their order. Each segment has the scalar of its instance.
+std::vector<double> segments_of(const LayerMirror& mirror, LayerIndex layer, ParabolasAs parabolas);
 
 }  // namespace mes

@@ -50,6 +50,7 @@ std::vector<StraightShape> straight_shapes_of(const LayerGeometry& geometry, Lay
                                               std::uint64_t& left_out) {
   const LayerDescriptor& descriptor = geometry.registry.layers()[layer];
   const bool has_scalar = !descriptor.scalar.empty();
+  bool has_chains = false;
   std::vector<StraightShape> out;
   for (const PrimitiveKind kind : descriptor.kinds) {
     const std::span<const double> instances = geometry.mirror.instances(layer, kind);
@@ -58,8 +59,9 @@ std::vector<StraightShape> straight_shapes_of(const LayerGeometry& geometry, Lay
       left_out += instances.size() / stride;
       continue;
     }
-    if (kind == PrimitiveKind::segment) {
-      add_chains(instances, has_scalar, out);
+    if (kind == PrimitiveKind::segment || kind == PrimitiveKind::parabola) {
+      if (!std::exchange(has_chains, true))
+        add_chains(segments_of(geometry.mirror, layer, ParabolasAs::chains), has_scalar, out);
       continue;
     }
     for (std::size_t at = 0; at < instances.size(); at += stride) {

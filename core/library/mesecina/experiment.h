@@ -228,6 +228,10 @@ class Drawn {
   void arc(const Ball& circle, Point from, Point to, double scalar = 0.0) {
     set<PrimitiveKind::arc>({circle.center.x, circle.center.y, circle.radius, from.x, from.y, to.x, to.y, scalar});
   }
+  /// An arc of a parabola, whose tangents at both ends meet in `control`.
+  void parabola(Point from, Point control, Point to, double scalar = 0.0) {
+    set<PrimitiveKind::parabola>({from.x, from.y, control.x, control.y, to.x, to.y, scalar});
+  }
 
   bool is_set() const { return is_set_; }
   PrimitiveKind kind() const { return kind_; }

@@ -100,8 +100,10 @@ struct Data {
 ///   disk      x y r              ray       x y dx dy            from (x, y) towards (dx, dy)
 ///   circle    x y r              line      x y dx dy            through (x, y), both ways
 ///   triangle  x1 y1 x2 y2 x3 y3  arc       x y r x1 y1 x2 y2
+///   parabola  x1 y1 xc yc x2 y2
 ///
 /// An arc runs counter-clockwise along the circle (x, y) r from (x1, y1) to (x2, y2); equal ends are the whole circle.
+/// A parabola is an arc of one: a quadratic Bézier curve from (x1, y1) to (x2, y2) with the control point (xc, yc).
 /// All coordinates are finite. Directions are not zero, and need not have length 1. Layers without a scalar give 0.
 enum class PrimitiveKind : std::uint8_t {
   point = 0,
@@ -112,10 +114,11 @@ enum class PrimitiveKind : std::uint8_t {
   line = 5,
   triangle = 6,
   arc = 7,
+  parabola = 8,
 };
 
 constexpr std::size_t doubles_per(PrimitiveKind kind) noexcept {
-  constexpr std::size_t kCounts[] = {2, 3, 3, 4, 4, 4, 6, 7};
+  constexpr std::size_t kCounts[] = {2, 3, 3, 4, 4, 4, 6, 7, 6};
   return kCounts[static_cast<std::size_t>(kind)];
 }
 /// Doubles of one instance: its coordinates and its scalar.
@@ -124,7 +127,8 @@ constexpr std::size_t stride_of(PrimitiveKind kind) noexcept {
 }
 /// "point", "disk", ...
 constexpr std::string_view name_of(PrimitiveKind kind) noexcept {
-  constexpr std::string_view kNames[] = {"point", "disk", "circle", "segment", "ray", "line", "triangle", "arc"};
+  constexpr std::string_view kNames[] = {"point", "disk",     "circle", "segment", "ray",
+                                         "line",  "triangle", "arc",    "parabola"};
   return kNames[static_cast<std::size_t>(kind)];
 }
 

@@ -18,7 +18,7 @@ namespace mes {
 ///  1. The distance of a piece is the largest of all its points, up to a factor of 1 + 2^-10 and rounding.
 ///  2. Nothing is compared if one of the two is empty.
 ///
-/// Arcs are measured as they are drawn (`OutlineAxis::pieces`).
+/// Arcs are measured as chains of chords (`OutlineAxis::pieces`).
 ///
 /// Cost: a change of either axis measures everything again, O(n log n) on all cores.
 class AxisDeviation final : public Structure {

@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "core/base/parabola_arc.h"
 #include "core/graph/explain.h"
 #include "core/structures/outline/internal/segment_voronoi.h"
 #include "core/structures/outline/outline_sides.h"
@@ -69,15 +70,10 @@ void OutlineAxis::add_pieces(OutlineEdgeSlot slot) {
     at = next;
   };
   if (const std::optional<Parabola> arc = parabola(slot)) {
-    // With x = h sinh(u), a chord over a step s of u leaves the arc by at most s^2 / 4 of the radius.
-    constexpr double kStep = 1.0 / 16.0;
-    const double u = std::asinh(arc->first / arc->h);
-    const double v = std::asinh(arc->last / arc->h);
-    const auto steps = static_cast<int>(std::ceil(std::abs(v - u) / kStep));
-    for (int i = 1; i < steps; ++i) {
-      const double x = arc->h * std::sinh(u + (v - u) * i / steps);
+    for_each_slope_between(arc->first / arc->h, arc->last / arc->h, [&](double slope) {
+      const double x = arc->h * slope;
       go_to({arc->at(x), arc->radius(x)});
-    }
+    });
   }
   go_to(last);
 }
@@ -126,19 +122,19 @@ StatList OutlineAxis::statistics() const {
 }
 
 void OutlineAxis::explain(ElementKind kind, RowNumber row, Explanation& out) const {
-  const OutlinePieceSlot piece(row);
-  if (kind != ElementKind::axis_piece || !pieces_.has(piece)) return;
-  const OutlineEdgeSlot slot = pieces_[piece].edge;
+  const OutlineEdgeSlot slot(row);
+  if (kind != ElementKind::axis_piece || !graph_.edges.has(slot)) return;
   const OutlineEdge& edge = graph_.edges[slot];
   const OutlineNode& first = graph_.nodes[edge.nodes[0]];
   const OutlineNode& last = graph_.nodes[edge.nodes[1]];
   ProvenanceShapes itself;
-  for (std::size_t i = row; i < pieces_.size() && pieces_[OutlinePieceSlot(i)].edge == slot; ++i)
-    itself.segment(pieces_[OutlinePieceSlot(i)].from, pieces_[OutlinePieceSlot(i)].to);
-  for (std::size_t i = row; i-- > 0 && pieces_[OutlinePieceSlot(i)].edge == slot;)
-    itself.segment(pieces_[OutlinePieceSlot(i)].from, pieces_[OutlinePieceSlot(i)].to);
+  const std::optional<Vec2> arc = control(slot);
+  if (arc)
+    itself.parabola({first.center, *arc, last.center});
+  else
+    itself.segment(first.center, last.center);
   out.say_itself("Edge of the axis of the outline",
-                 std::string(parabola(slot) ? ", an arc of a parabola" : ", straight") + ", radius " +
+                 std::string(arc ? ", an arc of a parabola" : ", straight") + ", radius " +
                      number_text(first.radius) + " to " + number_text(last.radius),
                  itself);
   ProvenanceShapes sides;

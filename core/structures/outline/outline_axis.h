@@ -31,7 +31,7 @@ namespace mes {
 
 using OutlinePieceSlot = Slot<struct OutlinePieceTag>;
 
-/// A straight piece of an edge, for drawing and measuring. It leaves an arc by about a thousandth of the radius there.
+/// A straight piece of an edge, for measuring. It leaves an arc by at most 1/1024 of the radius there.
 struct OutlinePiece {
   Vec2 from{}, to{};
   double radius_from = 0.0, radius_to = 0.0;
@@ -47,7 +47,7 @@ class OutlineAxis final : public Structure {
   const Table<OutlinePieceSlot, OutlinePiece>& pieces() const { return pieces_; }
   /// Control point of an edge that is an arc of a parabola; nothing for straight edges.
   std::optional<Vec2> control(OutlineEdgeSlot edge) const;
-  const ChangeSet<OutlinePieceSlot>& changes() const { return no_changes<OutlinePieceSlot>(); }
+  const ChangeSet<OutlineEdgeSlot>& changes() const { return no_changes<OutlineEdgeSlot>(); }
 
   void rebuild(JobControl& job) override;
   bool update(JobControl& job) override;

@@ -21,6 +21,7 @@ std::vector<TableColumns> OutlineAxis::table_columns() const {
 
   TableMaker<OutlineEdgeSlot> edges("edges", "Edges of the axis, straight or arcs of parabolas", graph_.edges.size(),
                                     always);
+  edges.set_kind(ElementKind::axis_piece);
   edges.reference("nodes", "Both ends", graph_.edges, &OutlineEdge::nodes, table_name(id(), "nodes"));
   edges.reference("features", "Nearest vertices or sides of the outline", graph_.edges, &OutlineEdge::features,
                   table_name(id(), "features"));
@@ -32,9 +33,8 @@ std::vector<TableColumns> OutlineAxis::table_columns() const {
                    return control(row).value_or(Vec2{kNoValue, kNoValue});
                  });
 
-  TableMaker<OutlinePieceSlot> pieces("pieces", "Straight pieces of the edges, as they are drawn", pieces_.size(),
+  TableMaker<OutlinePieceSlot> pieces("pieces", "Straight pieces of the edges, for measuring", pieces_.size(),
                                       always);
-  pieces.set_kind(ElementKind::axis_piece);
   pieces.column("from", "One end", pieces_, &OutlinePiece::from);
   pieces.column("to", "The other end", pieces_, &OutlinePiece::to);
   pieces.column("radius_from", "Distance of the one end from the outline", pieces_, &OutlinePiece::radius_from);

@@ -41,6 +41,13 @@ std::vector<Bezier> arc_curves(const Shape& arc, int decimals) {
   return out;
 }
 
+Bezier parabola_curve(const Shape& parabola) {
+  const Vec2 from = parabola.p[0];
+  const Vec2 to = parabola.p[1];
+  const Vec2 control = parabola.p[2];
+  return {from + 2.0 / 3.0 * (control - from), to + 2.0 / 3.0 * (control - to), to};
+}
+
 std::vector<Bezier> circle_curves(const Shape& circle, int decimals) {
   return curves(circle.p[0], circle.radius, 0.0, 2.0 * std::numbers::pi, decimals);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Circles and arcs as Bezier curves, for formats that have no other curves.
+// Circles, arcs and parabolas as cubic Bezier curves, for formats that have no other curves.
 #pragma once
 
 #include <vector>
@@ -19,7 +19,10 @@ struct Bezier {
 /// The curves of an arc, enough of them for an error below a step of the figure's grid; the last one ends at its end.
 std::vector<Bezier> arc_curves(const Shape& arc, int decimals);
 
-/// The same for a circle or disk, starting at its rightmost point, counter-clockwise on screen.
+/// The curve of a parabola, which is exact.
+Bezier parabola_curve(const Shape& parabola);
+
+/// The same as `arc_curves` for a circle or disk, starting at its rightmost point, counter-clockwise on screen.
 std::vector<Bezier> circle_curves(const Shape& circle, int decimals);
 
 }  // namespace mes::figure

@@ -141,10 +141,16 @@ std::size_t CairoPainter::path(std::span<const Shape> shapes, std::size_t i, boo
   switch (shape.kind) {
     case ShapeKind::disk:
     case ShapeKind::circle: return 1;
+    case ShapeKind::parabola:
     case ShapeKind::segment: {
       const std::size_t count = with_chains ? chain_length(shapes, i) : 1;
       const std::span<const Shape> chain = shapes.subspan(i, count);
-      for (const Shape& segment : chain) line(segment.p[1]);
+      for (const Shape& side : chain) {
+        if (side.kind == ShapeKind::segment)
+          line(side.p[1]);
+        else
+          curve(parabola_curve(side));
+      }
       if (is_loop(chain)) cairo_close_path(cairo_);
       return count;
     }

@@ -56,7 +56,7 @@ class Junctions {
 
 void chain_segments(std::vector<Shape>& shapes, const Grid& grid) {
   const auto others =
-      std::ranges::stable_partition(shapes, [](const Shape& shape) { return shape.kind == ShapeKind::segment; });
+      std::ranges::stable_partition(shapes, [](const Shape& shape) { return is_chained(shape.kind); });
   const std::span<const Shape> segments(shapes.begin(), others.begin());
   if (segments.size() < 2) return;
   Junctions junctions(segments, grid);
@@ -91,7 +91,7 @@ void chain_segments(std::vector<Shape>& shapes, const Grid& grid) {
 
 std::size_t chain_length(std::span<const Shape> shapes, std::size_t first) {
   std::size_t last = first;
-  while (last < shapes.size() && shapes[last].kind == ShapeKind::segment &&
+  while (last < shapes.size() && is_chained(shapes[last].kind) &&
          (last == first || shapes[last].p[0] == shapes[last - 1].p[1]))
     ++last;
   return last - first;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Chains of segments, which writers can output as one path.
+// Chains of segments and parabolas, which writers can output as one path.
 #pragma once
 
 #include <cstddef>
@@ -11,15 +11,15 @@
 
 namespace mes::figure {
 
-/// Reorders and reverses the segments, whose ends are on the grid, such that each begins at the end of the previous one
-/// wherever that is possible without going back; other shapes follow after all segments. O(n log n).
+/// Reorders and reverses the segments and parabolas, whose ends are on the grid, such that each begins at the end of the previous one
+/// wherever that is possible without going back; other shapes follow after them. O(n log n).
 void chain_segments(std::vector<Shape>& shapes, const Grid& grid);
 
-/// The length of the chain of segments from `first` on, each beginning at the end of the previous one; 0 if the first
-/// shape is not a segment.
+/// The length of the chain from `first` on, each beginning at the end of the previous one; 0 if the first
+/// shape is of another kind.
 std::size_t chain_length(std::span<const Shape> shapes, std::size_t first);
 
-/// Whether such a chain, of at least three segments, ends at its start.
+/// Whether such a chain, of at least three shapes, ends at its start.
 bool is_loop(std::span<const Shape> chain);
 
 }  // namespace mes::figure

@@ -14,7 +14,9 @@
 #include <tuple>
 #include <vector>
 
+#include "core/base/parabola_arc.h"
 #include "core/base/rng.h"
+#include "core/draw/primitive_values.h"
 #include "core/structures/outline/axis_deviation.h"
 #include "core/structures/outline/outline_axis.h"
 #include "tests/support/parcels.h"
@@ -181,19 +183,47 @@ TEST_CASE("every point of the axis is as far from two features as its radius say
         CHECK(apart == Approx(piece.radius_from).margin(1e-6));
       }
     }
-    // The arc with this control point passes at the same distance from both.
+    // All of the arc with this control point is equally far from both.
     for (const OutlineEdgeSlot slot : graph.edges.rows()) {
       const auto control = bench.axis().control(slot);
       if (!control) continue;
       const OutlineEdge& edge = graph.edges[slot];
-      const Vec2 at =
-          0.25 * graph.nodes[edge.nodes[0]].center + 0.5 * *control + 0.25 * graph.nodes[edge.nodes[1]].center;
       const OutlineFeature* point = &graph.features[edge.features[0]];
       const OutlineFeature* side = &graph.features[edge.features[1]];
       if (!point->is_point()) std::swap(point, side);
-      CHECK(distance(at, point->from) == Approx(distance_to_side(at, side->from, side->to)).margin(1e-5));
+      for (int i = 0; i <= 8; ++i) {
+        const Vec2 at =
+            point_at({graph.nodes[edge.nodes[0]].center, *control, graph.nodes[edge.nodes[1]].center}, i / 8.0);
+        CHECK(distance(at, point->from) == Approx(distance_to_side(at, side->from, side->to)).margin(1e-5));
+      }
     }
   }
+}
+
+TEST_CASE("the layer draws an arc around a reflex corner as one parabola, whose focus is the corner") {
+  // Around the corner at (1, 1), one arc for each of the two outer sides.
+  AxisBench bench(data_of_rings({{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}}));
+  const auto arcs = bench.instances("outline-axis", PrimitiveKind::parabola);
+  constexpr std::size_t kStride = stride_of(PrimitiveKind::parabola);
+  REQUIRE(arcs.size() == 2 * kStride);
+  std::size_t of_lower_side = 0;
+  double length = 0.0;
+  for (std::size_t at = 0; at < arcs.size(); at += kStride) {
+    const ParabolaArc arc = parabola_of(&arcs[at]);
+    const bool is_of_lower = std::max(arc.from.x, arc.to.x) > std::max(arc.from.y, arc.to.y);
+    of_lower_side += is_of_lower ? 1U : 0U;
+    length += length_of(arc);
+    for (int i = 0; i <= 16; ++i) {
+      const Vec2 p = point_at(arc, i / 16.0);
+      CHECK(distance(p, {1, 1}) == Approx(is_of_lower ? p.y : p.x).epsilon(1e-14));
+    }
+  }
+  CHECK(of_lower_side == 1);
+  const auto straight = bench.instances("outline-axis", PrimitiveKind::segment);
+  CHECK(straight.size() == 7 * stride_of(PrimitiveKind::segment));
+  for (std::size_t at = 0; at < straight.size(); at += stride_of(PrimitiveKind::segment))
+    length += distance({straight[at], straight[at + 1]}, {straight[at + 2], straight[at + 3]});
+  CHECK(length == Approx(bench.length()).epsilon(1e-3));
 }
 
 TEST_CASE("the axis is that of the segment Voronoi diagram of Boost.Polygon") {
