@@ -221,7 +221,10 @@ Expected<FoundLines> find_lines(const Registry& registry, const CenterlineJob& j
   if (data.positions.empty()) return in_file({ErrorCode::bad_input, "there are no samples and no curves"}, name);
   JobControl control;
   FoundLines out;
-  const SampleData samples = keeps_samples ? data : samples_for_center_lines(data, control, out.remark);
+  const Expected<SampleData> chosen =
+      keeps_samples ? Expected<SampleData>(data) : samples_for_center_lines(data, control, out.remark);
+  if (!chosen) return in_file(chosen.error(), name);
+  const SampleData& samples = *chosen;
   CenterLineWish wish = job.wish;
   if (job.between) {
     wish.request.between = job.between;
@@ -270,9 +273,17 @@ Expected<void> process_features(const Registry& registry, const CenterlineReques
     const std::lock_guard lock(progress_mutex);
     progress.show("features", static_cast<double>(++finished) / static_cast<double>(found.size()));
   });
+  const auto lies_on_earth = [](const Expected<FoundLines>& lines) {
+    return lines && lines->map && is_on_earth(*lines->map);
+  };
+  const bool is_map = std::ranges::any_of(found, lies_on_earth);
   std::optional<Error> first;
   for (std::size_t i = 0; i < found.size(); ++i) {
     const Feature& feature = list.features[i];
+    // Numbers that are no degrees are read as positions in a plane.
+    if (is_map && found[i] && !lies_on_earth(found[i]))
+      found[i] = std::unexpected(
+          Error{ErrorCode::bad_input, "its positions are not on the Earth, where other features are", feature.name});
     const auto done = take_lines(job, found[i], feature.name, feature, out);
     found[i] = FoundLines{};
     if (done) continue;

@@ -1,9 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/insight/center_line_run.h"
 
+#include <fmt/core.h>
 #include <algorithm>
+#include <cmath>
+#include <memory>
 #include <utility>
+#include <vector>
 
+#include "core/base/box2.h"
+#include "core/base/quick_length.h"
+#include "core/curves/curve.h"
 #include "core/resampling/resampling.h"
 #include "core/workbench/workbench.h"
 
@@ -12,6 +19,43 @@ namespace {
 
 std::unexpected<Error> no_line(ErrorCode code, std::string text) {
   return std::unexpected(Error{code, std::move(text), {}, 0, 0});
+}
+
+/// Samples of a strip that is so many times as long as it is wide, over that number: with an epsilon of 1/4 and feature
+/// sizes of half the width, both long sides have four samples on a width.
+constexpr std::size_t kSamplesOfRatio = 8;
+/// A larger ratio is the rounding of a polygon without a width.
+constexpr double kNoWidth = 1e12;
+
+/// Length over width of the strip around a polygon, along the principal axis of its vertices; 0 for other curves.
+double strip_ratio(const PlaneCurve& curve) {
+  if (!curve.is_polyline() || !curve.is_closed()) return 0.0;
+  const std::vector<Vec2>& points = curve.points();
+  Vec2 middle{};
+  for (const Vec2 p : points) middle = middle + 1.0 / static_cast<double>(points.size()) * p;
+  double size = 0.0;
+  for (const Vec2 p : points) size = std::max(size, quick_length(p - middle));
+  if (!(size > 0.0)) return 0.0;
+  double difference = 0.0;
+  double product = 0.0;
+  for (const Vec2 p : points) {
+    const Vec2 q{(p.x - middle.x) / size, (p.y - middle.y) / size};
+    difference += q.x * q.x - q.y * q.y;
+    product += q.x * q.y;
+  }
+  const double angle = 0.5 * std::atan2(2.0 * product, difference);
+  const Vec2 along{std::cos(angle), std::sin(angle)};
+  Box2 box;
+  for (const Vec2 p : points) box.add(Vec2{dot(along, p - middle), cross(along, p - middle)});
+  return box.width() / box.height();
+}
+
+/// Numbers of the outlines that are too thin to be sampled.
+std::vector<std::size_t> thin_outlines(const CurveSet& curves) {
+  std::vector<std::size_t> out;
+  for (std::size_t i = 0; i < curves.curves.size(); ++i)
+    if (kSamplesOfRatio * strip_ratio(curves.curves[i]) > kMostOutlineSamples) out.push_back(i);
+  return out;
 }
 
 }  // namespace
@@ -24,11 +68,33 @@ CenterLineWish wish_of(const ComputationSettings& settings) {
   return out;
 }
 
-SampleData samples_for_center_lines(const SampleData& data, JobControl& job, std::string& remark) {
+Expected<SampleData> samples_for_center_lines(const SampleData& data, JobControl& job, std::string& remark) {
   if (!data.source || !data.source->curves) return data;
+  std::shared_ptr<const CurveSet> curves = data.source->curves;
+  const std::vector<std::size_t> thin = thin_outlines(*curves);
+  if (!thin.empty()) {
+    auto rest = std::make_shared<CurveSet>(*curves);
+    for (auto i = thin.rbegin(); i != thin.rend(); ++i)
+      rest->curves.erase(rest->curves.begin() + static_cast<std::ptrdiff_t>(*i));
+    const PlaneCurve& first = curves->curves[thin.front()];
+    const std::string name =
+        curves->curves.size() == 1 ? std::string("the outline") : fmt::format("outline {}", thin.front() + 1);
+    const double ratio = strip_ratio(first);
+    const std::string fault =
+        ratio > kNoWidth
+            ? name + " has no width"
+            : fmt::format("{} is {:.3g} times as long as it is wide; a centre line is found up to {} times", name,
+                          ratio, kMostOutlineSamples / kSamplesOfRatio);
+    if (rest->curves.empty()) return std::unexpected(Error{ErrorCode::bad_input, fault});
+    remark = thin.size() == 1 ? fault + "; it is left out"
+                              : fmt::format("{}; {} such outlines are left out", fault, thin.size());
+    curves = std::move(rest);
+  }
   const SamplingRequest request{.rule = SamplingRule::feature_size,
-                                .count = std::max(kUsualSamples, data.positions.size())};
-  auto taken = take_samples(data.source->curves, request, job);
+                                .count = std::max(kUsualSamples, data.positions.size()),
+                                .most = kMostOutlineSamples * std::max<std::size_t>(1, curves->curves.size())};
+  auto taken = take_samples(curves, request, job);
+  if (!taken && !thin.empty()) return std::unexpected(taken.error());
   if (!taken) {
     remark = "the outlines keep their samples: " + taken.error().text;
     return data;

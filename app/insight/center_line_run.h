@@ -25,10 +25,15 @@ struct CenterLineWish {
 /// The lines of the layer `center-lines` at these settings.
 CenterLineWish wish_of(const ComputationSettings& settings);
 
+/// Most samples of an outline, on average. They are enough for one that is 30,000 times as long as it is wide, and take
+/// some 15 s on one core. A digit too many in a coordinate easily asks for more.
+inline constexpr std::size_t kMostOutlineSamples = 250'000;
+
 /// Samples of the curves of the data by local feature size, since the axis of corners alone says little. Data without
-/// curves are samples already. If the rule cannot sample the curves, the samples stay, and `remark` says why. Throws
-/// `Cancelled`.
-SampleData samples_for_center_lines(const SampleData& data, JobControl& job, std::string& remark);
+/// curves are samples already. Outlines that lie in a strip, and would need more than `kMostOutlineSamples` to show
+/// their width, are left out. If the rule cannot sample the curves, the samples stay. `remark` has a sentence for each
+/// of these cases. Error: `bad_input`, if no outline remains. Throws `Cancelled`.
+Expected<SampleData> samples_for_center_lines(const SampleData& data, JobControl& job, std::string& remark);
 
 /// Error: `usage` if the wish names two ends that no line joins; `cannot_compute` if a structure failed, or there is no
 /// line, with the reason. Throws `Cancelled`. `on_task` is called with the id of each structure before it begins.

@@ -261,6 +261,67 @@ TEST_CASE("lines and messages are in the order of the features, whichever is fin
   CHECK(std::ranges::is_sorted(without));
 }
 
+TEST_CASE("a feature with a digit too many in a coordinate is refused at once, and the rest is written") {
+  const auto feature = [](const std::string& name, const std::string& corners) {
+    return R"({"type":"Feature","properties":{"name":")" + name +
+           R"("},"geometry":{"type":"Polygon","coordinates":[[)" + corners + "]]}}";
+  };
+  const std::string good = feature("good", "[4290,5540],[4680,5540],[4680,5650],[4290,5650],[4290,5540]");
+  const std::string bad = feature("bad", "[4283,5539],[488946728,5539],[488946728,5649],[4283,5649],[4283,5539]");
+  const std::string map =
+      R"({"type":"FeatureCollection","crs":{"type":"name","properties":{"name":"none"}},"features":[)";
+  const RunResult apart = run({"centerline", "-", "--each"}, {.input = map + bad + "," + good + "]}"});
+  CHECK(apart.exit_code == 0);
+  CHECK_THAT(apart.err, Catch::Contains("-: feature 1: the outline is 4.44e+06 times as long as it is wide"));
+  REQUIRE(Json::parse(apart.out)["features"].size() == 1);
+  CHECK(Json::parse(apart.out)["features"][0]["properties"]["name"] == "good");
+
+  const RunResult together = run({"centerline", "-"}, {.input = map + bad + "," + good + "]}"});
+  CHECK(together.exit_code == 0);
+  CHECK_THAT(together.err, Catch::Contains("outline 1 is 4.44e+06 times") && Catch::Contains("it is left out"));
+  CHECK(Json::parse(together.out)["features"].size() == 1);
+
+  CHECK_THAT(line_fault(3, {"-", "--each"}, map + bad + "]}"), Catch::Contains("no feature has a centre line"));
+  CHECK_THAT(line_fault(3, {"-"}, "POLYGON ((0 0, 1000000 0, 1000000 1, 0 1, 0 0))"),
+             Catch::Contains("1e+06 times as long"));
+  // A strip that is 10,000 times as long as wide has its line.
+  CHECK(run({"centerline", "-"}, {.input = "POLYGON ((0 0, 10000 0, 10000 1, 0 1, 0 0))"}).exit_code == 0);
+}
+
+TEST_CASE(
+    "features that are not on the Earth, cross themselves or enclose nothing are named, and the rest is written") {
+  const auto feature = [](int id, const std::string& geometry) {
+    return R"({"type":"Feature","id":)" + std::to_string(id) + R"(,"properties":{},"geometry":)" + geometry + "}";
+  };
+  const auto polygon = [](const std::string& rings) { return R"({"type":"Polygon","coordinates":[)" + rings + "]}"; };
+  const std::string map =
+      R"({"type":"FeatureCollection","features":[)" +
+      feature(1, polygon("[[8,91],[8.004,91],[8.004,91.001],[8,91.001],[8,91]]")) + ',' +
+      feature(2, polygon("[[8,50],[8.004,50.002],[8.004,50],[8,50.002],[8,50]]")) + ',' +
+      feature(3, polygon("[[8,50],[8.004,50],[8.008,50],[8,50]]")) + ',' + feature(4, "null") + ',' +
+      feature(5, R"({"type":"Point","coordinates":[8,50]})") + ',' +
+      feature(6, polygon("[[8,50],[8.001,50],[8.001,50.0006],[8,50.0006],[8,50]]")) + ',' +
+      feature(7, polygon("[[8,50],[8.004,50],[8.004,50.001],[8,50.001],[8,50]],"
+                         "[[9,50],[9.004,50],[9.004,50.001],[9,50.001],[9,50]]")) +
+      ',' + feature(8, polygon("[[179.99,50],[-179.99,50],[-179.99,50.002],[179.99,50.002],[179.99,50]]")) + "]}";
+  const RunResult result = run({"centerline", "-", "--each", "--prune", "2"}, {.input = map});
+  INFO(result.err);
+  CHECK(result.exit_code == 0);
+  std::map<int, int> lines;
+  for (const Json& line : Json::parse(result.out)["features"]) {
+    ++lines[line["id"].get<int>()];
+    if (line["id"] == 8) CHECK(line["geometry"]["type"] == "MultiLineString");
+  }
+  // A hole outside is a shape of its own, and the two triangles of a bow tie are compact.
+  CHECK(lines == std::map<int, int>{{7, 2}, {8, 1}});
+  CHECK(std::ranges::count(result.err, '\n') == 7);
+  for (const char* const named :
+       {"feature 1, id 1: its positions are not on the Earth", "feature 2, id 2: there is no centre line",
+        "feature 3, id 3: ", "feature 4, id 4: ", "feature 5, id 5: there is no centre line",
+        "feature 6, id 6: there is no centre line: every shape"})
+    CHECK_THAT(result.err, Catch::Contains(named));
+}
+
 TEST_CASE("the samples of a session stay, and those of a drawing are taken again") {
   const TemporaryFolder folder;
   const std::string strip = folder.write("strip.wkt", kStrip).string();
