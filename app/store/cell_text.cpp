@@ -49,9 +49,10 @@ GeoParts geo_parts_of(const std::vector<LineArea>& areas, const MapConversion* c
   return out;
 }
 
+/// `to_attributes` converts the centre.
 void append_cell(std::string& out, const TextCell& cell, double area, const GeoParts& parts,
-                 const MapConversion* conversion) {
-  const Vec2 place = conversion != nullptr ? conversion->from_plane(cell.place) : cell.place;
+                 const std::optional<MapConversion>& to_attributes) {
+  const Vec2 place = to_attributes ? to_attributes->from_plane(cell.place) : cell.place;
   out += R"({"type":"Feature","properties":{"sample":)";
   out += std::to_string(cell.sample);
   out += R"(,"center":[)";
@@ -74,11 +75,17 @@ std::span<const std::string_view> cell_formats() {
 Expected<CellText> cell_text(std::span<const TextCell> cells, const std::optional<MapPlane>& map,
                              std::string_view format) {
   const bool is_json = format != "wkt";
+  const bool is_by_gdal = format == "gpkg" || format == "fgb";
   std::optional<MapConversion> conversion;
+  std::optional<MapConversion> to_attributes;
   if (map && is_on_earth(*map)) {
     auto made = MapConversion::of(*map, is_json ? MapTarget::wgs84 : MapTarget::own_system);
     if (!made) return std::unexpected(made.error());
     conversion = std::move(*made);
+    // GDAL converts positions to the system of the map, but not attributes.
+    auto own = MapConversion::of(*map, is_by_gdal ? MapTarget::own_system : MapTarget::wgs84);
+    if (!own) return std::unexpected(own.error());
+    to_attributes = std::move(*own);
   }
   const MapConversion* const converted = conversion ? &*conversion : nullptr;
   const std::string srid = srid_of(map);
@@ -94,14 +101,14 @@ Expected<CellText> cell_text(std::span<const TextCell> cells, const std::optiona
       out.text += is_first ? "\n" : ",\n";
       double area = 0.0;
       for (const LineArea& part : areas) area += area_of(part);
-      append_cell(out.text, cell, area, parts, converted);
+      append_cell(out.text, cell, area, parts, to_attributes);
       is_first = false;
     } else {
       append_wkt(out.text, StraightKind::polygon, parts, srid);
     }
   }
   if (is_json) out.text += kEndOfFeatures;
-  if (format == "gpkg" || format == "fgb") {
+  if (is_by_gdal) {
     auto file = map_file_of(out.text, format == "gpkg" ? kGeoPackage : kFlatGeobuf, map);
     if (!file) return std::unexpected(file.error());
     out.text = *std::move(file);

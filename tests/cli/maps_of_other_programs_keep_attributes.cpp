@@ -141,6 +141,20 @@ TEST_CASE("GeoPackages and FlatGeobufs are written in the system of the map") {
     CHECK(features_by_ogr(named("areas"))["features"].size() == count);
     made({"export", map, "--vertices", "--cells", "outline", "--format", extension, "-o", named("cells")});
     CHECK(features_by_ogr(named("cells"))["features"].size() == 8);
+    // Centres are attributes, in metres of the zone as the geometry is: east of its middle at 500 km lies 9 E.
+    const auto check_centers = [&](const std::string& name) {
+      std::size_t centers = 0;
+      for (const Json& feature : features_by_ogr(named(name))["features"]) {
+        const Json& given = feature["properties"]["center"];
+        const Json center = given.is_string() ? Json::parse(given.get<std::string>()) : given;
+        CHECK(center[0].get<double>() == Approx(429'000.0).margin(2000.0));
+        CHECK(center[1].get<double>() == Approx(5'539'000.0).margin(1000.0));
+        ++centers;
+      }
+      CHECK(centers > 0);
+    };
+    check_centers("cells");
+    check_centers("areas");
     made({"centerline", drawing, "-o", named("strip")});
     CHECK_THAT(told_by_ogr(named("strip")), !Catch::Contains("EPSG\",4326"));
     const Json strip = features_by_ogr(named("strip"));
