@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -50,13 +51,8 @@ double strip_ratio(const PlaneCurve& curve) {
   return box.width() / box.height();
 }
 
-/// Numbers of the outlines that are too thin to be sampled.
-std::vector<std::size_t> thin_outlines(const CurveSet& curves) {
-  std::vector<std::size_t> out;
-  for (std::size_t i = 0; i < curves.curves.size(); ++i)
-    if (kSamplesOfRatio * strip_ratio(curves.curves[i]) > kMostOutlineSamples) out.push_back(i);
-  return out;
-}
+/// True if the outline is too thin to be sampled.
+bool is_thin(const PlaneCurve& curve) { return kSamplesOfRatio * strip_ratio(curve) > kMostOutlineSamples; }
 
 }  // namespace
 
@@ -71,30 +67,31 @@ CenterLineWish wish_of(const ComputationSettings& settings) {
 Expected<SampleData> samples_for_center_lines(const SampleData& data, JobControl& job, std::string& remark) {
   if (!data.source || !data.source->curves) return data;
   std::shared_ptr<const CurveSet> curves = data.source->curves;
-  const std::vector<std::size_t> thin = thin_outlines(*curves);
-  if (!thin.empty()) {
-    auto rest = std::make_shared<CurveSet>(*curves);
-    for (auto i = thin.rbegin(); i != thin.rend(); ++i)
-      rest->curves.erase(rest->curves.begin() + static_cast<std::ptrdiff_t>(*i));
-    const PlaneCurve& first = curves->curves[thin.front()];
+  const std::vector<PlaneCurve>& all = curves->curves;
+  const auto first = std::ranges::find_if(all, is_thin);
+  const bool is_any_thin = first != all.end();
+  if (is_any_thin) {
+    auto rest = std::make_shared<CurveSet>(CurveSet{{}, curves->points, curves->resolution});
+    std::ranges::remove_copy_if(all, std::back_inserter(rest->curves), is_thin);
     const std::string name =
-        curves->curves.size() == 1 ? std::string("the outline") : fmt::format("outline {}", thin.front() + 1);
-    const double ratio = strip_ratio(first);
+        all.size() == 1 ? std::string("the outline") : fmt::format("outline {}", first - all.begin() + 1);
+    const double ratio = strip_ratio(*first);
     const std::string fault =
         ratio > kNoWidth
             ? name + " has no width"
             : fmt::format("{} is {:.3g} times as long as it is wide; a centre line is found up to {} times", name,
                           ratio, kMostOutlineSamples / kSamplesOfRatio);
     if (rest->curves.empty()) return std::unexpected(Error{ErrorCode::bad_input, fault});
-    remark = thin.size() == 1 ? fault + "; it is left out"
-                              : fmt::format("{}; {} such outlines are left out", fault, thin.size());
+    const std::size_t left_out = all.size() - rest->curves.size();
+    remark = left_out == 1 ? fault + "; it is left out"
+                           : fmt::format("{}; {} such outlines are left out", fault, left_out);
     curves = std::move(rest);
   }
   const SamplingRequest request{.rule = SamplingRule::feature_size,
                                 .count = std::max(kUsualSamples, data.positions.size()),
                                 .most = kMostOutlineSamples * std::max<std::size_t>(1, curves->curves.size())};
   auto taken = take_samples(curves, request, job);
-  if (!taken && !thin.empty()) return std::unexpected(taken.error());
+  if (!taken && is_any_thin) return std::unexpected(taken.error());
   if (!taken) {
     remark = "the outlines keep their samples: " + taken.error().text;
     return data;

@@ -33,7 +33,7 @@ struct Segment {
   Vec2 a{}, b{};
 };
 
-double distance_to(const Segment& segment, Vec2 p) {
+double distance_to_segment(const Segment& segment, Vec2 p) {
   const Vec2 along = segment.b - segment.a;
   const double size = dot(along, along);
   const double t = size > 0.0 ? std::clamp(dot(p - segment.a, along) / size, 0.0, 1.0) : 0.0;
@@ -50,7 +50,7 @@ struct KnownShape {
 KnownShape known_ellipse(double a, double b) {
   const double reach = (a * a - b * b) / a;
   return {"ellipse " + std::to_string(a), {.curves = {ellipse_around({0, 0}, a, b)}}, [reach](Vec2 p) {
-            return distance_to({{-reach, 0}, {reach, 0}}, p);
+            return distance_to_segment({{-reach, 0}, {reach, 0}}, p);
           }};
 }
 
@@ -73,7 +73,7 @@ PlaneCurve rounded_rectangle(double w, double h, double r) {
 KnownShape known_rectangle(double w, double h, double r) {
   return {"rounded rectangle " + std::to_string(r), {.curves = {rounded_rectangle(w, h, r)}}, [=](Vec2 p) {
             const Vec2 q{std::abs(p.x), std::abs(p.y)};
-            return std::min(distance_to({{0, 0}, {w - h, 0}}, q), distance_to({{w - h, 0}, {w - r, h - r}}, q));
+            return std::min(distance_to_segment({{0, 0}, {w - h, 0}}, q), distance_to_segment({{w - h, 0}, {w - r, h - r}}, q));
           }};
 }
 
