@@ -232,7 +232,7 @@ void add_bench(py::module_& module) {
 }  // namespace
 
 mesecina::PrimitiveKind kind_of(std::string_view name) {
-  for (int i = 0; i < 8; ++i)
+  for (int i = 0; i <= static_cast<int>(mesecina::PrimitiveKind::parabola); ++i)
     if (name_of(static_cast<mesecina::PrimitiveKind>(i)) == name) return static_cast<mesecina::PrimitiveKind>(i);
   throw py::value_error("there is no kind of primitive \"" + std::string(name) + "\"");
 }
