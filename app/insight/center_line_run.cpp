@@ -52,7 +52,9 @@ double strip_ratio(const PlaneCurve& curve) {
 }
 
 /// True if the outline is too thin to be sampled.
-bool is_thin(const PlaneCurve& curve) { return kSamplesOfRatio * strip_ratio(curve) > kMostOutlineSamples; }
+bool is_thin(const PlaneCurve& curve) {
+  return kSamplesOfRatio * strip_ratio(curve) > kMostOutlineSamples;
+}
 
 }  // namespace
 

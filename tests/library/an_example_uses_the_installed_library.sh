@@ -39,8 +39,9 @@ number=0
 for compiler in "$@"; do
   folder=$scratch/build$((++number))
   {
-    "$cmake" -S "$scratch/example" -B "$folder" -DCMAKE_PREFIX_PATH="$scratch/prefix" -DCMAKE_CXX_COMPILER="$compiler" \
-      -DCMAKE_CXX_FLAGS='-Wall -Wextra -Wpedantic -Wconversion -Werror' && "$cmake" --build "$folder"
+    "$cmake" -G Ninja -S "$scratch/example" -B "$folder" -DCMAKE_PREFIX_PATH="$scratch/prefix" \
+      -DCMAKE_CXX_COMPILER="$compiler" -DCMAKE_CXX_FLAGS='-Wall -Wextra -Wpedantic -Wconversion -Werror' &&
+      "$cmake" --build "$folder"
   } >"$scratch/log" 2>&1 || fail "the example does not build with $compiler: $(cat "$scratch/log")"
   "$folder/axis_edges" "$shape" >"$scratch/edges.csv" 2>"$scratch/said" || fail "it fails: $(cat "$scratch/said")"
   grep -qE '^length [0-9.]+$' "$scratch/said" || fail "it says no length: $(cat "$scratch/said")"

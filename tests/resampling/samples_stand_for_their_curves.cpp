@@ -73,7 +73,8 @@ PlaneCurve rounded_rectangle(double w, double h, double r) {
 KnownShape known_rectangle(double w, double h, double r) {
   return {"rounded rectangle " + std::to_string(r), {.curves = {rounded_rectangle(w, h, r)}}, [=](Vec2 p) {
             const Vec2 q{std::abs(p.x), std::abs(p.y)};
-            return std::min(distance_to_segment({{0, 0}, {w - h, 0}}, q), distance_to_segment({{w - h, 0}, {w - r, h - r}}, q));
+            return std::min(distance_to_segment({{0, 0}, {w - h, 0}}, q),
+                            distance_to_segment({{w - h, 0}, {w - r, h - r}}, q));
           }};
 }
 
