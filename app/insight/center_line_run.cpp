@@ -6,6 +6,7 @@
 #include <cmath>
 #include <iterator>
 #include <memory>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -31,7 +32,8 @@ constexpr double kNoWidth = 1e12;
 /// Length over width of the strip around a polygon, along the principal axis of its vertices; 0 for other curves.
 double strip_ratio(const PlaneCurve& curve) {
   if (!curve.is_polyline() || !curve.is_closed()) return 0.0;
-  const std::vector<Vec2>& points = curve.points();
+  // The last point is the first one again, which would turn the axis.
+  const std::span<const Vec2> points = std::span(curve.points()).first(curve.points().size() - 1);
   Vec2 middle{};
   for (const Vec2 p : points) middle = middle + 1.0 / static_cast<double>(points.size()) * p;
   double size = 0.0;

@@ -308,7 +308,8 @@ TEST_CASE(
   INFO(result.err);
   CHECK(result.exit_code == 0);
   std::map<int, int> lines;
-  for (const Json& line : Json::parse(result.out)["features"]) {
+  const Json written = Json::parse(result.out);
+  for (const Json& line : written["features"]) {
     ++lines[line["id"].get<int>()];
     if (line["id"] == 8) CHECK(line["geometry"]["type"] == "MultiLineString");
   }

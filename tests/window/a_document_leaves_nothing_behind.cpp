@@ -74,6 +74,7 @@ struct ReplacedWindow {
 TEST_CASE("a changed parameter has a chip in the status bar, and a click on it gives the default back") {
   const ReplacedWindow window;
   REQUIRE(eventually([&] { return window.has_chip(); }));
+  static_cast<void>(window.screen.settled());
   window.screen.click(window.chip().middle());
   CHECK(eventually([&] { return !window.has_chip(); }));
   const Session session = window.saved_as("reset.json");
