@@ -25,8 +25,8 @@ class InkMap {
   /// `picture`: as `camera` sees it, on a canvas of this colour.
   InkMap(const render::RawImage& picture, const render::Camera& camera, Rgb canvas);
 
-  /// Of about 64 nearly square parts of a box, in pixels from the upper left, the number in which something is drawn;
-  /// `now` is the camera that sees the drawing there.
+  /// Divides a box, in pixels from the upper left, into about 64 nearly square parts, and counts those in which
+  /// something is drawn. `now` is the camera that sees the drawing there.
   std::size_t parts_below(const Box2& box, const render::Camera& now) const;
 
  private:

@@ -437,7 +437,7 @@ void Picture::follow_ink(bool rests) {
   ink_of_ = pictures_;
   ink_camera_ = shown_.camera;
   ink_canvas_ = canvas_;
-  // Without memory for it, the last one stays.
+  // The last one stays if there is no memory for it.
   static_cast<void>(ink_capture_.take({}, {0, 0, ink_camera_.width(), ink_camera_.height()}));
 }
 

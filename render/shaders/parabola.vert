@@ -128,7 +128,7 @@ void main() {
   v_place = vec2(curve_length(0.0, t) + cap, side);
   v_ends = vec2(begins ? 0.0 : -kFar, ends ? curve_length(0.0, 1.0) : kFar);
 #if DASHED
-  // Of curves beyond 10^5 pixels, dashes may move with the view.
+  // Dashes of curves beyond 10^5 pixels may move with the view.
   v_phase = mod(left_out, u_dash_period);
 #endif
   gl_Position = place(curve_at(t) + cap * along + side * turned(along));

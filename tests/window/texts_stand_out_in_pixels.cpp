@@ -215,7 +215,7 @@ TEST_CASE("texts and icons stand out on the screen, in both themes and at both s
       }
       window.screen.click({62 * scale, 12 * scale});
       {
-        // What cannot be used now counts as an icon, as elsewhere.
+        // A disabled entry counts as an icon, as elsewhere.
         INFO(named("menu"));
         check_words(window.screen.settled(), kWholeScreen, scale, kLeastOfIcon, 12);
       }

@@ -23,8 +23,8 @@ struct StraightShape {
   std::vector<std::vector<Vec2>> holes{};  ///< of a polygon, clockwise, with the first point repeated
 };
 
-/// All shapes of a layer, with segments and parabolas joined into chains; a closed chain ends at its first point. Rays and lines
-/// are counted in `left_out`.
+/// All shapes of a layer, with segments and parabolas joined into chains; a closed chain ends at its first point.
+/// Rays and lines are counted in `left_out`.
 std::vector<StraightShape> straight_shapes_of(const LayerGeometry& geometry, LayerIndex layer,
                                               std::uint64_t& left_out);
 
