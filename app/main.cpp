@@ -8,9 +8,9 @@
 #include <string_view>
 
 #include "app/cli/command_line.h"
-#include "app/cli/messages.h"
+#include "app/cli/console/messages.h"
 #include "app/window/run_window.h"
-#include "core/base/keep_memory.h"
+#include "core/base/jobs/keep_memory.h"
 #include "core/builtins/builtins.h"
 
 namespace {

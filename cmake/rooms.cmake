@@ -1,21 +1,27 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Which rooms there are, and which others each of them may include. A room is a folder; what lies in its folder
 # `internal`, or in folders in it, is for that room only. Every room comes after those it uses, so no arrow leads back.
-# `core/*` stands for all rooms below core but core/builtins, which only app/main.cpp and the library name: everything
-# else reads a registry that it is given. Run at each configuration, and as a test:
+# A name stands for the room and for the rooms in its folder that come before. `core/*` stands for all rooms below core but
+# core/builtins, which only app/main.cpp and the library name: everything else reads a registry that it is given. Run at each configuration, and as a test:
 #
 #   cmake -DROOT=. -P cmake/rooms.cmake
 cmake_policy(VERSION 3.25)
 set(rooms
   "core/base:"
+  "core/base/jobs: core/base"
+  "core/base/geometry: core/base"
+  "core/kernel/numbers: core/base"
   "core/kernel: core/base"
   "core/draw: core/base"
   "core/curves: core/base"
+  "core/curves/interpolation: core/base core/curves"
   "core/formula: core/base"
   "core/edit: core/base core/kernel"
   "core/raster: core/base core/curves"
   "core/glyphs: core/base core/curves"
+  "core/document/settings: core/base core/kernel core/draw"
   "core/document: core/base core/kernel core/draw core/curves"
+  "core/document/timeline: core/base core/document"
   "core/io/text: core/base core/document"
   "core/io/files: core/base"
   "core/io/xml: core/base core/io/text"
@@ -34,6 +40,7 @@ set(rooms
   "core/structures/delaunay: core/base core/kernel core/graph core/structures/inputs core/structures/triangulation"
   "core/structures/crust: core/base core/kernel core/graph core/structures/inputs core/structures/delaunay"
   "core/structures/axis: core/base core/graph core/structures/delaunay core/structures/crust"
+  "core/structures/filters/paths: core/base"
   "core/structures/filters: core/base core/kernel core/graph core/structures/inputs core/structures/delaunay core/structures/crust core/structures/axis"
   "core/structures/density: core/base core/kernel core/curves core/document core/graph core/structures/inputs core/structures/delaunay core/structures/crust"
   "core/structures/alpha: core/base core/kernel core/graph core/structures/inputs core/structures/delaunay"
@@ -51,31 +58,55 @@ set(rooms
   "core/resampling: core/base core/kernel core/curves core/document core/draw core/graph core/engine core/workbench core/evolutions core/structures/*"
   "core/library/mesecina:"
   "core/library: core/base core/kernel core/draw core/document core/io core/io/* core/shapes core/graph core/evolutions core/builtins core/engine core/workbench core/curves core/structures/inputs"
-  "render: core/base core/raster core/draw"
+  "render/device: core/base core/draw"
+  "render/image: core/base core/raster"
+  "render/instances: core/base core/draw render/device"
+  "render: core/base core/draw"
   "render/figure: core/base core/draw render"
   "app/system: core/base core/io core/io/*"
   "app/actions: core/base"
   "app/experiments: core/* app/system"
+  "app/layers/words: core/*"
   "app/layers: core/*"
-  "app/editing: core/* app/layers app/system"
+  "app/editing/places: core/*"
+  "app/editing: core/* app/layers"
+  "app/editing/curves: core/* app/layers app/editing app/system"
+  "app/editing/tools: core/* app/editing"
   "app/settings: core/* app/editing app/system"
   "app/insight: core/* app/layers app/system"
   "app/playing: core/* app/layers app/editing app/insight"
   "app/panes: core/* app/layers app/editing app/playing app/system render"
-  "app/store: core/* app/layers app/editing app/playing app/system render"
-  "app/picture: core/* app/layers app/editing app/panes app/settings render render/figure"
-  "app/export: core/* app/layers app/editing app/playing app/panes app/settings app/picture app/store app/system render render/figure"
+  "app/store/looks: core/* app/layers app/system render"
+  "app/store/texts: core/*"
+  "app/store: core/* app/editing app/playing app/system render"
+  "app/picture/paper: core/* app/layers app/panes app/settings render"
+  "app/picture/annotations: core/* app/editing app/picture/paper"
+  "app/picture: core/* app/layers app/editing app/panes app/settings render"
+  "app/export: core/* app/layers app/editing app/playing app/panes app/settings app/picture app/store app/system render"
+  "app/export/lessons: core/* app/layers app/playing app/settings app/picture app/store app/export render"
   "app/canvas/tools: core/base core/edit app/editing app/actions"
-  "app/canvas: app/panes app/canvas/tools"
+  "app/canvas: app/panes"
   "app/recording: core/* app/layers app/playing app/actions app/panes app/settings app/picture app/export app/system render"
-  "app/ui: core/* app/settings app/actions app/canvas app/system render"
-  "app/panels/dialogs: core/* app/system app/actions app/layers app/editing app/store app/export app/ui"
-  "app/panels/on_canvas: core/* app/actions app/layers app/editing app/playing app/panes app/settings app/store app/picture app/canvas/tools app/canvas app/ui render"
-  "app/panels/pages: core/* app/actions app/experiments app/layers app/editing app/insight app/playing app/picture app/canvas app/ui app/panels/on_canvas"
-  "app/panels/layers: core/* app/actions app/layers app/editing app/store app/picture app/canvas app/ui render"
-  "app/panels/bars: core/* app/actions app/experiments app/layers app/editing app/insight app/playing app/settings app/store app/picture app/canvas app/recording app/ui render"
-  "app/window: core/* app/experiments app/panels/* app/ui app/layers app/editing app/insight app/playing app/panes app/settings app/store app/picture app/export app/canvas app/canvas/tools app/recording app/actions app/system render"
-  "app/cli: core/* app/experiments app/layers app/editing app/insight app/playing app/settings app/store app/picture app/export app/recording app/actions app/system render render/figure"
+  "app/ui/screen: core/* app/settings app/actions app/canvas render"
+  "app/ui/widgets: core/* app/actions app/ui/screen"
+  "app/ui/dialogs: core/* app/system app/actions app/ui/*"
+  "app/panels/dialogs/questions: core/* app/store app/ui/*"
+  "app/panels/dialogs: core/* app/system app/actions app/layers app/editing app/store app/export app/ui/*"
+  "app/panels/on_canvas/marks: core/* app/layers app/editing app/panes app/settings app/picture app/canvas app/ui/* render"
+  "app/panels/on_canvas/cards: core/* app/panels/on_canvas/marks app/actions app/layers app/editing app/playing app/picture app/canvas app/ui/* render"
+  "app/panels/on_canvas: core/* app/actions app/layers app/editing app/playing app/panes app/store app/picture app/canvas app/ui/*"
+  "app/panels/pages: core/* app/actions app/experiments app/layers app/editing app/insight app/playing app/picture app/canvas app/ui/* app/panels/on_canvas"
+  "app/panels/layers: core/* app/actions app/layers app/editing app/store app/picture app/canvas app/ui/* render"
+  "app/panels/bars: core/* app/actions app/experiments app/layers app/editing app/insight app/playing app/settings app/store app/picture app/canvas app/recording app/ui/* render"
+  "app/window/work: core/* app/actions app/panels/on_canvas app/ui/* app/layers app/editing app/insight app/playing app/panes app/settings app/store app/picture app/export app/canvas app/system"
+  "app/window/runs: core/* app/actions app/experiments app/panels/dialogs app/panels/on_canvas app/ui/* app/playing app/panes app/settings app/store app/recording app/system app/window/work"
+  "app/window/files: core/* app/actions app/panels/dialogs app/insight app/playing app/settings app/store app/export app/recording app/system render app/window/work app/window/runs"
+  "app/window: core/* app/actions app/experiments app/panels/* app/ui/* app/layers app/editing app/playing app/settings app/store app/picture app/export app/canvas app/system"
+  "app/cli/console: app/export app/system core/*"
+  "app/cli/requests: core/* app/layers app/playing app/settings app/store app/export render app/cli/console"
+  "app/cli/commands: core/* app/actions app/experiments app/layers app/editing app/insight app/playing app/store app/picture app/export app/recording render app/cli/console app/cli/requests"
+  "app/cli/manual: core/* app/actions app/layers app/settings app/store app/picture app/export app/cli/console app/cli/requests app/cli/commands"
+  "app/cli: core/* app/experiments app/store app/export"
   "app: app/cli app/window core/base core/builtins")
 
 if(NOT DEFINED ROOT)
@@ -88,20 +119,23 @@ foreach(line IN LISTS rooms)
   string(REGEX MATCH "^([^:]+):(.*)$" matched "${line}")
   set(room ${CMAKE_MATCH_1})
   string(STRIP "${CMAKE_MATCH_2}" allowed)
-  # What a room may include, as one regular expression; `core/*` is every room below core that is listed above,
-  # but core/builtins.
+  # What a room may include, as one regular expression; the rooms in its own folder that come before are among it.
   set(pattern "${room}")
   # All that lies below it, by room: what it may use, and what that may use.
   set(below_${room} ${room})
   string(REPLACE " " ";" allowed "${allowed}")
-  foreach(other IN LISTS allowed)
+  foreach(other IN LISTS room allowed)
     string(REGEX REPLACE "/\\*$" "" folder "${other}")
     if(folder STREQUAL other)
-      if(NOT other IN_LIST known)
+      if(NOT (other IN_LIST known OR other STREQUAL room))
         list(APPEND problems "cmake/rooms.cmake: ${room} may use ${other}, which does not come before it")
       endif()
-      string(APPEND pattern "|${other}")
-      list(APPEND below_${room} ${below_${other}})
+      foreach(inner IN LISTS known)
+        if(inner MATCHES "^${other}(/|$)")
+          string(APPEND pattern "|${inner}")
+          list(APPEND below_${room} ${below_${inner}})
+        endif()
+      endforeach()
     else()
       foreach(below IN LISTS known)
         if(below MATCHES "^${folder}/" AND NOT below STREQUAL "core/builtins")

@@ -17,8 +17,8 @@
 // Cost: a few operations a call. Threads: a value; const calls may run at the same time.
 #pragma once
 
-#include "core/base/box2.h"
-#include "core/base/vec2.h"
+#include "core/base/geometry/box2.h"
+#include "core/base/geometry/vec2.h"
 
 namespace mes::render {
 

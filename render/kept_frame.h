@@ -4,8 +4,8 @@
 #pragma once
 
 #include "render/camera.h"
-#include "render/convert.h"
-#include "render/gl_device.h"
+#include "render/device/convert.h"
+#include "render/device/gl_device.h"
 
 namespace mes::render {
 

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "core/base/vec2.h"
-#include "render/text.h"
+#include "core/base/geometry/vec2.h"
+#include "render/image/text.h"
 
 namespace mes::render {
 

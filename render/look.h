@@ -11,7 +11,7 @@
 
 #include "core/draw/layer_style.h"
 #include "core/draw/primitives.h"
-#include "render/colormap.h"
+#include "render/instances/colormap.h"
 #include "render/scene.h"
 
 namespace mes::render {

@@ -19,8 +19,8 @@
 #include "core/base/color.h"
 #include "core/base/error.h"
 #include "render/camera.h"
-#include "render/device.h"
-#include "render/image.h"
+#include "render/device/device.h"
+#include "render/image/image.h"
 #include "render/scene.h"
 
 namespace mes::render {

@@ -4,7 +4,7 @@
 #include <new>
 #include <utility>
 
-#include "render/gl_dialect.h"
+#include "render/device/gl_dialect.h"
 
 namespace mes::render {
 

@@ -22,9 +22,9 @@
 #include <deque>
 #include <optional>
 
-#include "render/gl_device.h"
-#include "render/gl_handles.h"
-#include "render/image.h"
+#include "render/device/gl_device.h"
+#include "render/device/gl_handles.h"
+#include "render/image/image.h"
 
 namespace mes::render {
 

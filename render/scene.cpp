@@ -12,8 +12,8 @@
 #include <utility>
 
 #include "core/base/assert.h"
+#include "render/image/picture_file.h"
 #include "render/look.h"
-#include "render/picture_file.h"
 
 namespace mes::render {
 namespace {

@@ -22,7 +22,7 @@
 #include <vector>
 
 #include "render/camera.h"
-#include "render/device.h"
+#include "render/device/device.h"
 #include "render/layer_texts.h"
 
 namespace mes::render {

@@ -11,15 +11,16 @@
 #include <optional>
 #include <system_error>
 
-#include "app/cli/command_help.h"
 #include "app/cli/command_options.h"
-#include "app/cli/manual.h"
-#include "app/cli/messages.h"
-#include "app/cli/names.h"
-#include "app/cli/requests.h"
+#include "app/cli/commands/commands.h"
+#include "app/cli/console/messages.h"
+#include "app/cli/manual/command_help.h"
+#include "app/cli/manual/completions.h"
+#include "app/cli/manual/manual.h"
+#include "app/cli/requests/names.h"
 #include "app/experiments/experiment.h"
 #include "app/experiments/trial.h"
-#include "core/base/coordinate_range.h"
+#include "core/base/geometry/coordinate_range.h"
 #include "core/io/text/text_numbers.h"
 
 namespace mes::cli {

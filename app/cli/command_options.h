@@ -5,7 +5,11 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
-#include "app/cli/requests.h"
+#include "app/cli/requests/requests.h"
+
+namespace mes {
+class Registry;
+}
 
 namespace mes::cli {
 

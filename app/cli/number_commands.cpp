@@ -4,8 +4,8 @@
 #include <fmt/core.h>
 
 #include "app/cli/command_options.h"
-#include "app/store/layer_text.h"
-#include "app/store/line_text.h"
+#include "app/store/texts/layer_text.h"
+#include "app/store/texts/line_text.h"
 
 namespace mes::cli {
 namespace {

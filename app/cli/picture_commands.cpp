@@ -4,9 +4,9 @@
 #include <utility>
 
 #include "app/cli/command_options.h"
-#include "app/cli/names.h"
-#include "app/cli/picture_request.h"
-#include "app/cli/style_request.h"
+#include "app/cli/requests/names.h"
+#include "app/cli/requests/picture_request.h"
+#include "app/cli/requests/style_request.h"
 #include "app/export/page_size.h"
 #include "core/io/text/text_numbers.h"
 

@@ -11,14 +11,14 @@
 #include <utility>
 #include <vector>
 
-#include "app/editing/place_index.h"
+#include "app/editing/places/place_index.h"
 #include "app/editing/prepared_document.h"
 #include "app/editing/selection.h"
 #include "app/layers/layer_stack.h"
 #include "core/document/commands.h"
 #include "core/document/document.h"
-#include "core/document/history.h"
-#include "core/document/timeline.h"
+#include "core/document/timeline/history.h"
+#include "core/document/timeline/timeline.h"
 
 namespace mes {
 
@@ -27,7 +27,7 @@ namespace mes {
 ///     order. A refused command changes nothing.
 ///  2. A gesture, however many commands it runs, is one step of undo; a cancelled gesture leaves no step.
 ///  3. The timeline records each change once and in order; replaying it gives this document and this history.
-///  4. Given coordinates that are negligible beside the others of the document (core/base/coordinate_range.h) are set
+///  4. Given coordinates that are negligible beside the others of the document (core/base/geometry/coordinate_range.h) are set
 ///     to zero; other numbers out of range are refused.
 ///  5. `is_modified` compares states: after undoing back to the saved state it is false. A changed lesson counts as
 ///     modified until it is saved; steps of undo do not affect it.

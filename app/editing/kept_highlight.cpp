@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/coordinate_range.h"
+#include "core/base/geometry/coordinate_range.h"
 
 namespace mes {
 namespace {

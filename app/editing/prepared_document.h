@@ -5,11 +5,11 @@
 #include <cstdint>
 #include <memory>
 
-#include "app/editing/place_index.h"
-#include "core/base/job_control.h"
+#include "app/editing/places/place_index.h"
+#include "core/base/jobs/job_control.h"
 #include "core/document/document.h"
-#include "core/document/history.h"
-#include "core/document/timeline.h"
+#include "core/document/timeline/history.h"
+#include "core/document/timeline/timeline.h"
 
 namespace mes {
 

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "app/editing/editor.h"
-#include "core/base/box2.h"
+#include "core/base/geometry/box2.h"
 
 namespace mes {
 

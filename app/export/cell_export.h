@@ -6,8 +6,8 @@
 #include <functional>
 #include <string_view>
 
-#include "app/store/cell_text.h"
-#include "core/base/job_control.h"
+#include "app/store/texts/cell_text.h"
+#include "core/base/jobs/job_control.h"
 #include "core/document/commands.h"
 
 namespace mes {

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "app/layers/ball_families.h"
-#include "app/picture/pane_sheet.h"
+#include "app/picture/paper/pane_sheet.h"
 #include "core/base/assert.h"
 #include "core/draw/instance_difference.h"
 #include "core/draw/variant.h"

@@ -26,7 +26,7 @@
 #include "app/layers/layer_stack.h"
 #include "app/panes/pane_list.h"
 #include "core/document/commands.h"
-#include "core/document/computation_settings.h"
+#include "core/document/settings/computation_settings.h"
 #include "core/draw/layer_mirror.h"
 #include "core/draw/patch.h"
 #include "core/draw/variant.h"

@@ -7,9 +7,9 @@
 #include <span>
 
 #include "app/export/figure.h"
-#include "app/picture/annotation_drawing.h"
-#include "app/picture/legend_place.h"
-#include "app/picture/scale_drawing.h"
+#include "app/picture/annotations/annotation_drawing.h"
+#include "app/picture/paper/legend_place.h"
+#include "app/picture/paper/scale_drawing.h"
 
 namespace mes {
 

@@ -6,12 +6,12 @@
 #include <cmath>
 #include <span>
 
-#include "app/editing/sample_spacing.h"
+#include "app/editing/curves/sample_spacing.h"
 #include "app/export/explanations.h"
-#include "app/picture/lacking_letters.h"
+#include "app/picture/paper/lacking_letters.h"
+#include "app/picture/paper/scale_drawing.h"
+#include "app/picture/paper/title_drawing.h"
 #include "app/picture/sample_texts.h"
-#include "app/picture/scale_drawing.h"
-#include "app/picture/title_drawing.h"
 #include "app/store/sample_shapes.h"
 #include "core/draw/variant.h"
 #include "render/camera.h"

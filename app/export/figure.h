@@ -12,15 +12,15 @@
 #include "app/export/page_size.h"
 #include "app/export/shown_layers.h"
 #include "app/layers/legend_scope.h"
-#include "app/picture/annotation_drawing.h"
+#include "app/picture/annotations/annotation_drawing.h"
 #include "app/settings/scale_marks.h"
-#include "core/base/box2.h"
 #include "core/base/error.h"
-#include "core/document/layer_configuration.h"
+#include "core/base/geometry/box2.h"
+#include "core/document/settings/layer_configuration.h"
 #include "core/draw/layer_mirror.h"
-#include "render/colormap.h"
 #include "render/figure/figure_of.h"
-#include "render/image.h"
+#include "render/image/image.h"
+#include "render/instances/colormap.h"
 
 namespace mes {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/export/computation.h"
-#include "app/store/layer_text.h"
+#include "app/store/texts/layer_text.h"
 
 namespace mes {
 

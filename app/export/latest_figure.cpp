@@ -6,7 +6,7 @@
 
 #include "app/export/computation.h"
 #include "app/export/pane_figure.h"
-#include "app/picture/pane_sheet.h"
+#include "app/picture/paper/pane_sheet.h"
 #include "app/store/background_loader.h"
 #include "core/io/carried_session.h"
 #include "core/io/files/atomic_file.h"

@@ -17,7 +17,7 @@
 #include "app/settings/figure_settings.h"
 #include "app/system/background_job.h"
 #include "core/document/commands.h"
-#include "core/document/computation_settings.h"
+#include "core/document/settings/computation_settings.h"
 #include "core/graph/live_registry.h"
 #include "core/io/session/session.h"
 #include "render/figure/writers.h"

@@ -9,9 +9,9 @@
 #include <variant>
 #include <vector>
 
-#include "app/picture/lacking_letters.h"
-#include "app/picture/pane_sheet.h"
-#include "app/picture/title_drawing.h"
+#include "app/picture/paper/lacking_letters.h"
+#include "app/picture/paper/pane_sheet.h"
+#include "app/picture/paper/title_drawing.h"
 #include "app/store/sample_shapes.h"
 #include "render/camera.h"
 

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "app/playing/session_evolution.h"
-#include "core/base/job_control.h"
+#include "core/base/jobs/job_control.h"
 #include "core/evolutions/evolution_states.h"
 
 namespace mes {

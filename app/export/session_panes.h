@@ -14,7 +14,7 @@
 #include "app/export/comparison.h"
 #include "app/layers/layer_stack.h"
 #include "app/panes/pane_list.h"
-#include "core/document/history.h"
+#include "core/document/timeline/history.h"
 #include "core/evolutions/evolution.h"
 #include "core/io/session/session.h"
 

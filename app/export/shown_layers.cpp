@@ -5,9 +5,9 @@
 #include <cmath>
 #include <limits>
 
-#include "app/editing/sample_spacing.h"
-#include "app/picture/canvas_look.h"
-#include "app/picture/paper_drawing.h"
+#include "app/editing/curves/sample_spacing.h"
+#include "app/picture/paper/canvas_look.h"
+#include "app/picture/paper/paper_drawing.h"
 #include "core/draw/primitive_values.h"
 #include "core/draw/variant.h"
 #include "render/figure/figure.h"

@@ -6,9 +6,9 @@
 #include <span>
 #include <vector>
 
-#include "core/base/box2.h"
 #include "core/base/color.h"
-#include "core/document/layer_configuration.h"
+#include "core/base/geometry/box2.h"
+#include "core/document/settings/layer_configuration.h"
 #include "core/draw/layer_descriptor.h"
 #include "core/draw/layer_mirror.h"
 #include "core/draw/layer_style.h"

@@ -10,11 +10,11 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "core/base/job_control.h"
+#include "core/base/jobs/job_control.h"
 #include "core/document/commands.h"
-#include "core/document/computation_settings.h"
+#include "core/document/settings/computation_settings.h"
 #include "core/structures/filters/axis_branches.h"
-#include "core/structures/filters/center_line.h"
+#include "core/structures/filters/paths/center_line.h"
 
 namespace mes {
 

@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/box2.h"
-#include "core/base/quick_length.h"
+#include "core/base/geometry/box2.h"
+#include "core/base/geometry/quick_length.h"
 #include "core/curves/curve.h"
 #include "core/resampling/resampling.h"
 #include "core/workbench/workbench.h"

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "core/base/error.h"
-#include "core/base/job_control.h"
+#include "core/base/jobs/job_control.h"
 #include "core/document/commands.h"
 #include "core/structures/filters/center_lines.h"
 

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "app/insight/parameter_animation.h"
-#include "core/document/computation_settings.h"
+#include "core/document/settings/computation_settings.h"
 #include "core/engine/engine.h"
 #include "core/graph/live_registry.h"
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/document/parameter.h"
+#include "core/document/settings/parameter.h"
 
 namespace mes {
 

@@ -13,9 +13,9 @@
 #include "app/insight/parameter_animation.h"
 #include "app/system/background_job.h"
 #include "core/base/error.h"
-#include "core/base/job_control.h"
+#include "core/base/jobs/job_control.h"
 #include "core/document/commands.h"
-#include "core/document/computation_settings.h"
+#include "core/document/settings/computation_settings.h"
 #include "core/draw/layer_descriptor.h"
 #include "core/graph/live_registry.h"
 

@@ -13,10 +13,10 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "core/base/job_control.h"
-#include "core/base/vec2.h"
+#include "core/base/geometry/vec2.h"
+#include "core/base/jobs/job_control.h"
 #include "core/document/commands.h"
-#include "core/document/computation_settings.h"
+#include "core/document/settings/computation_settings.h"
 #include "core/draw/layer_descriptor.h"
 
 namespace mes {

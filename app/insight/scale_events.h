@@ -10,7 +10,7 @@
 
 #include "app/system/latest.h"
 #include "core/document/commands.h"
-#include "core/document/computation_settings.h"
+#include "core/document/settings/computation_settings.h"
 #include "core/graph/live_registry.h"
 
 namespace mes {

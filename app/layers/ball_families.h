@@ -11,7 +11,7 @@
 
 #include "app/layers/layer_stack.h"
 #include "core/document/document.h"
-#include "core/document/pane_choice.h"
+#include "core/document/settings/pane_choice.h"
 
 namespace mes {
 

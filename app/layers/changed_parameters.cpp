@@ -6,7 +6,7 @@
 #include <array>
 #include <cstdlib>
 
-#include "app/layers/parameter_words.h"
+#include "app/layers/words/parameter_words.h"
 #include "core/base/lower_case.h"
 
 namespace mes {

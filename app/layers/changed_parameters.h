@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "core/document/computation_settings.h"
+#include "core/document/settings/computation_settings.h"
 
 namespace mes {
 

@@ -8,7 +8,7 @@
 #include <memory>
 #include <optional>
 
-#include "core/document/computation_settings.h"
+#include "core/document/settings/computation_settings.h"
 #include "core/draw/variant.h"
 #include "core/graph/registry.h"
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "app/layers/synonyms.h"
+#include "app/layers/words/synonyms.h"
 #include "core/base/assert.h"
 #include "core/base/lower_case.h"
 

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/document/layers_changed.h"
+#include "core/document/timeline/layers_changed.h"
 #include "core/draw/layer_descriptor.h"
 
 namespace mes {

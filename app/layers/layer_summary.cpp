@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "core/base/quick_length.h"
-#include "core/base/vec2.h"
+#include "core/base/geometry/quick_length.h"
+#include "core/base/geometry/vec2.h"
 
 namespace mes {
 

@@ -5,7 +5,7 @@
 #include <new>
 #include <stop_token>
 
-#include "core/base/job_control.h"
+#include "core/base/jobs/job_control.h"
 
 namespace mes {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "app/layers/parameter_words.h"
+#include "app/layers/words/parameter_words.h"
 #include "core/base/assert.h"
 #include "core/draw/variant.h"
 #include "core/graph/registry.h"

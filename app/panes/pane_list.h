@@ -25,8 +25,8 @@
 
 #include "app/layers/ball_families.h"
 #include "app/layers/layer_stack.h"
-#include "core/document/computation_settings.h"
-#include "core/document/pane_choice.h"
+#include "core/document/settings/computation_settings.h"
+#include "core/document/settings/pane_choice.h"
 #include "core/draw/variant.h"
 #include "core/engine/variant_request.h"
 #include "core/evolutions/evolution.h"

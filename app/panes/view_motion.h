@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/base/box2.h"
+#include "core/base/geometry/box2.h"
 #include "render/camera.h"
 
 namespace mes {

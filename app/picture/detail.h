@@ -22,7 +22,7 @@ namespace mes {
 class Detail {
  public:
   /// Begins a picture that has changed; `disks` is the number of disks in the layer that has most of them to paint;
-  /// those that are counted (render/counted_instances.h) cost little and are left out.
+  /// those that are counted (render/instances/counted_instances.h) cost little and are left out.
   std::uint32_t begin_changed(std::uint32_t disks);
   /// Begins the same picture again, in more detail.
   std::uint32_t begin_refinement();

@@ -11,10 +11,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/base/box2.h"
 #include "core/base/color.h"
+#include "core/base/geometry/box2.h"
 #include "render/camera.h"
-#include "render/image.h"
+#include "render/image/image.h"
 
 namespace mes {
 

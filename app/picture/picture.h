@@ -8,23 +8,23 @@
 #include <utility>
 #include <vector>
 
+#include "app/editing/curves/sample_spacing.h"
 #include "app/editing/editor.h"
-#include "app/editing/sample_spacing.h"
 #include "app/layers/layer_stack.h"
 #include "app/panes/pane_list.h"
 #include "app/panes/pane_places.h"
-#include "app/picture/canvas_look.h"
 #include "app/picture/detail.h"
 #include "app/picture/ink_map.h"
 #include "app/picture/leaving_layers.h"
-#include "app/picture/legend.h"
 #include "app/picture/moved_points.h"
+#include "app/picture/paper/canvas_look.h"
+#include "app/picture/paper/legend.h"
 #include "core/draw/layer_mirror.h"
 #include "core/engine/engine.h"
 #include "core/engine/memory_lack.h"
 #include "core/graph/live_registry.h"
+#include "render/device/gl_device.h"
 #include "render/frame_capture.h"
-#include "render/gl_device.h"
 #include "render/kept_frame.h"
 #include "render/scene.h"
 

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/picture/canvas_look.h"
-#include "app/picture/scale_drawing.h"
-#include "render/text.h"
+#include "app/picture/paper/canvas_look.h"
+#include "app/picture/paper/scale_drawing.h"
+#include "render/image/text.h"
 
 namespace mes {
 namespace {

@@ -16,12 +16,12 @@
 #include <string>
 #include <vector>
 
-#include "app/picture/annotation_drawing.h"
-#include "app/picture/legend_place.h"
+#include "app/picture/annotations/annotation_drawing.h"
+#include "app/picture/paper/legend_place.h"
 #include "app/settings/scale_marks.h"
 #include "core/base/color.h"
 #include "render/camera.h"
-#include "render/image.h"
+#include "render/image/image.h"
 
 namespace mes {
 

@@ -23,8 +23,8 @@
 #include <span>
 #include <vector>
 
-#include "app/editing/place_index.h"
-#include "core/base/box2.h"
+#include "app/editing/places/place_index.h"
+#include "core/base/geometry/box2.h"
 #include "core/document/document.h"
 #include "core/draw/layer_descriptor.h"
 #include "render/layer_texts.h"

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "core/base/infinity.h"
+#include "core/base/geometry/infinity.h"
 #include "core/draw/primitive_values.h"
 
 namespace mes {

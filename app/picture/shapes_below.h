@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <span>
 
-#include "core/base/box2.h"
+#include "core/base/geometry/box2.h"
 #include "core/draw/layer_mirror.h"
 
 namespace mes {

@@ -2,7 +2,7 @@
 // The verdict on the samples on screen.
 #pragma once
 
-#include "app/layers/verdict_word.h"
+#include "app/layers/words/verdict_word.h"
 #include "app/picture/picture.h"
 #include "core/engine/engine.h"
 

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "app/layers/layer_stack.h"
-#include "core/base/job_control.h"
+#include "core/base/jobs/job_control.h"
 #include "core/evolutions/evolution_states.h"
 #include "core/graph/registry.h"
 

@@ -16,7 +16,7 @@ namespace mes {
 
 /// Guarantees: a marked step, presented at any later time, shows the samples, visible layers, settings and view of
 /// the moment when it was marked. Changes can be taken back, in order, until another document is opened. Lessons keep
-/// the bounds of core/document/lesson.h.
+/// the bounds of core/document/timeline/lesson.h.
 ///
 /// Cost: that of copying the lesson. Threads: none.
 ///

@@ -9,7 +9,7 @@
 
 #include "app/layers/layer_stack.h"
 #include "app/playing/playback.h"
-#include "core/document/layer_fold.h"
+#include "core/document/timeline/layer_fold.h"
 #include "core/graph/live_registry.h"
 #include "core/io/session/session.h"
 

@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/box2.h"
 #include "core/base/error.h"
-#include "core/document/timeline.h"
+#include "core/base/geometry/box2.h"
+#include "core/document/timeline/timeline.h"
 #include "core/io/session/session.h"
 
 namespace mes {

@@ -8,7 +8,7 @@
 
 #include "app/layers/layer_stack.h"
 #include "app/playing/playback.h"
-#include "core/document/layer_fold.h"
+#include "core/document/timeline/layer_fold.h"
 #include "core/engine/engine.h"
 #include "core/io/session/session.h"
 

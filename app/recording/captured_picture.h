@@ -15,9 +15,9 @@
 #include <variant>
 #include <vector>
 
-#include "app/picture/pane_sheet.h"
+#include "app/picture/paper/pane_sheet.h"
 #include "app/picture/picture_overlay.h"
-#include "render/image.h"
+#include "render/image/image.h"
 
 namespace mes {
 

@@ -5,7 +5,7 @@
 #include <new>
 #include <utility>
 
-#include "render/png.h"
+#include "render/image/png.h"
 
 namespace mes {
 namespace {

@@ -6,8 +6,8 @@
 #include <new>
 #include <numeric>
 
-#include "app/export/carried.h"
-#include "app/export/lesson_files.h"
+#include "app/export/lessons/carried.h"
+#include "app/export/lessons/lesson_files.h"
 #include "app/recording/lesson_film.h"
 #include "app/recording/video.h"
 #include "core/base/lower_case.h"

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "app/export/lesson_files.h"
+#include "app/export/lessons/lesson_files.h"
 #include "core/base/error.h"
 #include "core/io/session/session.h"
 

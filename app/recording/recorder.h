@@ -25,8 +25,8 @@
 #include "app/layers/legend_scope.h"
 #include "app/panes/pane_list.h"
 #include "app/settings/scale_marks.h"
-#include "core/document/computation_settings.h"
-#include "core/document/timeline.h"
+#include "core/document/settings/computation_settings.h"
+#include "core/document/timeline/timeline.h"
 #include "core/draw/layer_descriptor.h"
 #include "render/camera.h"
 

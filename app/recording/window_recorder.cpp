@@ -12,7 +12,7 @@
 #include "app/recording/frame_view.h"
 #include "app/recording/picture_clipboard.h"
 #include "core/io/carried_session.h"
-#include "render/png.h"
+#include "render/image/png.h"
 
 namespace mes {
 namespace {

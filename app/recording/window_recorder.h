@@ -13,7 +13,7 @@
 
 #include "app/actions/messages.h"
 #include "app/panes/view_motion.h"
-#include "app/picture/pane_sheet.h"
+#include "app/picture/paper/pane_sheet.h"
 #include "app/picture/picture.h"
 #include "app/recording/frame_writer.h"
 #include "app/recording/recorder.h"

@@ -18,8 +18,8 @@
 #include <string>
 #include <string_view>
 
-#include "core/base/box2.h"
-#include "core/base/vec2.h"
+#include "core/base/geometry/box2.h"
+#include "core/base/geometry/vec2.h"
 
 namespace mes {
 

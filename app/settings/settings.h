@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "app/editing/brush_settings.h"
-#include "app/editing/snap_settings.h"
+#include "app/editing/tools/brush_settings.h"
+#include "app/editing/tools/snap_settings.h"
 #include "app/settings/figure_settings.h"
 #include "app/settings/panel_choice.h"
 #include "app/settings/record_settings.h"

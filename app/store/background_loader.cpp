@@ -5,8 +5,8 @@
 #include <new>
 #include <utility>
 
-#include "core/base/coordinate_range.h"
-#include "render/picture_file.h"
+#include "core/base/geometry/coordinate_range.h"
+#include "render/image/picture_file.h"
 
 namespace mes {
 

@@ -8,10 +8,10 @@
 #include <string>
 
 #include "app/system/background_job.h"
-#include "core/base/box2.h"
 #include "core/base/error.h"
-#include "core/document/layer_configuration.h"
-#include "render/image.h"
+#include "core/base/geometry/box2.h"
+#include "core/document/settings/layer_configuration.h"
+#include "render/image/image.h"
 
 namespace mes {
 

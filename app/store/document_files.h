@@ -16,7 +16,7 @@
 #include "app/editing/prepared_document.h"
 #include "app/store/file_conflict.h"
 #include "app/system/background_job.h"
-#include "core/base/job_control.h"
+#include "core/base/jobs/job_control.h"
 #include "core/graph/live_registry.h"
 #include "core/io/format.h"
 #include "core/io/session/session.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Another program that works for this one and does not outlive it. No other file starts programs. (Computations in a
-// copy of this process are in core/base/isolated.h.)
+// copy of this process are in core/base/jobs/isolated.h.)
 #pragma once
 
 #include <sys/types.h>

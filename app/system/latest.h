@@ -12,7 +12,7 @@
 
 #include "app/system/background_job.h"
 #include "core/base/error.h"
-#include "core/base/job_control.h"
+#include "core/base/jobs/job_control.h"
 
 namespace mes {
 

@@ -7,9 +7,9 @@
 #include <new>
 #include <utility>
 
-#include "app/export/carried.h"
-#include "app/window/memory_problem.h"
+#include "app/export/lessons/carried.h"
 #include "app/window/selection_actions.h"
+#include "app/window/work/memory_problem.h"
 #include "core/engine/sampling_verdict.h"
 
 namespace mes {

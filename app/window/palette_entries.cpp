@@ -7,10 +7,10 @@
 
 #include "app/actions/menus.h"
 #include "app/layers/layer_topics.h"
-#include "app/layers/parameter_words.h"
-#include "app/layers/synonyms.h"
+#include "app/layers/words/parameter_words.h"
+#include "app/layers/words/synonyms.h"
 #include "app/panels/bars/interface_sizes.h"
-#include "app/store/layer_text.h"
+#include "app/store/texts/layer_text.h"
 #include "core/evolutions/evolution.h"
 
 namespace mes {

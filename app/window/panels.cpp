@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "app/panels/bars/evolution_strip.h"
-#include "app/panels/on_canvas/canvas_legend.h"
-#include "app/panels/on_canvas/canvas_marks.h"
 #include "app/panels/on_canvas/empty_hint.h"
 #include "app/panels/on_canvas/empty_view_note.h"
+#include "app/panels/on_canvas/marks/canvas_legend.h"
+#include "app/panels/on_canvas/marks/canvas_marks.h"
 #include "app/panels/on_canvas/pane_headers.h"
 #include "app/panels/on_canvas/refusal_note.h"
 #include "app/window/palette_entries.h"

@@ -14,9 +14,9 @@
 #include "app/panels/bars/toolbar.h"
 #include "app/panels/layers/bundles_panel.h"
 #include "app/panels/layers/layers_panel.h"
-#include "app/panels/on_canvas/annotation_card.h"
+#include "app/panels/on_canvas/cards/annotation_card.h"
 #include "app/panels/on_canvas/hidden_additions_note.h"
-#include "app/panels/on_canvas/mark_drag.h"
+#include "app/panels/on_canvas/marks/mark_drag.h"
 #include "app/panels/on_canvas/presenter.h"
 #include "app/panels/on_canvas/problem_note.h"
 #include "app/panels/pages/branches_panel.h"
@@ -29,11 +29,11 @@
 #include "app/panels/pages/sampling_panel.h"
 #include "app/panels/pages/selection_panel.h"
 #include "app/panels/pages/statistics_panel.h"
-#include "app/picture/scale_drawing.h"
+#include "app/picture/paper/scale_drawing.h"
 #include "app/playing/step_events.h"
-#include "app/window/document_flow.h"
-#include "app/window/experiment_run.h"
-#include "app/window/live_recording.h"
+#include "app/window/files/document_flow.h"
+#include "app/window/runs/experiment_run.h"
+#include "app/window/runs/live_recording.h"
 
 namespace mes {
 

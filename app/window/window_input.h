@@ -9,12 +9,12 @@
 #include <vector>
 
 #include "app/actions/action_bindings.h"
-#include "app/panels/on_canvas/mark_drag.h"
+#include "app/panels/on_canvas/marks/mark_drag.h"
 #include "app/panels/on_canvas/presenter.h"
-#include "app/window/document_flow.h"
 #include "app/window/event_queue.h"
-#include "app/window/experiment_run.h"
-#include "app/window/live_recording.h"
+#include "app/window/files/document_flow.h"
+#include "app/window/runs/experiment_run.h"
+#include "app/window/runs/live_recording.h"
 
 namespace mes {
 

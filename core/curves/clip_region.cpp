@@ -8,7 +8,7 @@
 #include <optional>
 #include <utility>
 
-#include "core/base/box_tree.h"
+#include "core/base/geometry/box_tree.h"
 #include "core/curves/curve_bounds.h"
 #include "core/curves/internal/flat_curves.h"
 #include "core/curves/internal/traced_sides.h"

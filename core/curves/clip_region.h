@@ -24,7 +24,7 @@
 #include <span>
 #include <vector>
 
-#include "core/base/box2.h"
+#include "core/base/geometry/box2.h"
 #include "core/curves/curve.h"
 
 namespace mes {

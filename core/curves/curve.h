@@ -20,7 +20,7 @@
 #include <string>
 #include <vector>
 
-#include "core/base/vec2.h"
+#include "core/base/geometry/vec2.h"
 #include "core/curves/affine.h"
 
 namespace mes {

@@ -4,7 +4,7 @@
 
 #include <span>
 
-#include "core/base/box2.h"
+#include "core/base/geometry/box2.h"
 #include "core/curves/curve.h"
 
 namespace mes {

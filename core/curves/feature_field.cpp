@@ -11,9 +11,8 @@
 #include <optional>
 #include <utility>
 
-#include "core/base/infinity.h"
+#include "core/base/geometry/infinity.h"
 #include "core/curves/corners.h"
-#include "core/curves/finest_feature.h"
 #include "core/curves/internal/feature_spacing.h"
 #include "core/curves/internal/network.h"
 #include "core/curves/internal/stretches.h"

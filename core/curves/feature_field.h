@@ -34,9 +34,9 @@
 #include <string>
 #include <vector>
 
-#include "core/base/box_tree.h"
 #include "core/base/error.h"
-#include "core/base/job_control.h"
+#include "core/base/geometry/box_tree.h"
+#include "core/base/jobs/job_control.h"
 #include "core/curves/sampling.h"
 
 namespace mes {
@@ -64,7 +64,7 @@ struct FilledInterval {
 class FeatureField {
  public:
   /// Computes the field of the curves as the request treats them: with its corners, rounded if it says so. Its number
-  /// of samples determines how close to a corner samples may be (finest_feature.h). Error: as in `sample`, or an error
+  /// of samples determines how close to a corner samples may be (`kFinestFeature`). Error: as in `sample`, or an error
   /// of `sizes`; `bad_input` for more than `most` samples. Throws `Cancelled`.
   static Expected<FeatureField> of(const CurveSet& curves, const SamplingRequest& request, const FeatureSizes& sizes,
                                    JobControl* job = nullptr, std::size_t most = 10'000'000);

@@ -4,7 +4,7 @@
 
 #include <span>
 
-#include "core/base/vec2.h"
+#include "core/base/geometry/vec2.h"
 
 namespace mes {
 

@@ -10,7 +10,7 @@
 #include <optional>
 #include <utility>
 
-#include "core/base/parallel.h"
+#include "core/base/jobs/parallel.h"
 #include "core/curves/corners.h"
 #include "core/curves/feature_field.h"
 #include "core/curves/internal/network.h"

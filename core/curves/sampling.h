@@ -18,7 +18,7 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "core/base/job_control.h"
+#include "core/base/jobs/job_control.h"
 #include "core/curves/curve.h"
 
 namespace mes {
@@ -56,6 +56,9 @@ inline constexpr double kMostTurn = 3.2;
 inline constexpr double kLeastEpsilon = 0.01;
 inline constexpr double kMostEpsilon = 1.0;
 inline constexpr double kMostJitter = 100.0;
+/// Corners would require infinitely many samples by local feature size. So no part of the curves gets more than this many
+/// times the density of `SamplingRequest::count` samples spread evenly along the curves.
+inline constexpr double kFinestFeature = 1000.0;
 
 struct SamplingRequest {
   SamplingRule rule = SamplingRule::vertices;

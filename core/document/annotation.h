@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "core/base/color.h"
-#include "core/base/vec2.h"
+#include "core/base/geometry/vec2.h"
 #include "core/draw/primitives.h"
 #include "core/draw/provenance.h"
 

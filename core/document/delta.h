@@ -8,10 +8,10 @@
 #include <span>
 #include <vector>
 
-#include "core/base/disk.h"
+#include "core/base/geometry/disk.h"
+#include "core/base/geometry/vec2.h"
 #include "core/base/slot.h"
 #include "core/base/table.h"
-#include "core/base/vec2.h"
 #include "core/document/annotation.h"
 #include "core/document/map_plane.h"
 

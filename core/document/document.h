@@ -6,7 +6,7 @@
 //  1. An id names the same sample (or ball) for the whole session, through undo and redo, and is never reused.
 //  2. A slot is stable while its sample (ball) lives. Several samples may share one position, several balls one disk;
 //     each keeps its own record.
-//  3. Numbers are within the range of coordinates (core/base/coordinate_range.h), each alone and all together, and
+//  3. Numbers are within the range of coordinates (core/base/geometry/coordinate_range.h), each alone and all together, and
 //     never -0.0; radii are not negative. A ball may have radius zero.
 //  4. Commands (commands.h) compute a delta and change nothing; only `apply` changes the document. A delta that
 //     does not fit the present revision is refused by an assertion, never half applied.
@@ -27,8 +27,8 @@
 #include <span>
 #include <vector>
 
-#include "core/base/box2.h"
-#include "core/base/coordinate_range.h"
+#include "core/base/geometry/box2.h"
+#include "core/base/geometry/coordinate_range.h"
 #include "core/document/delta.h"
 #include "core/document/rows.h"
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <utility>
 
-#include "core/base/coordinate_range.h"
+#include "core/base/geometry/coordinate_range.h"
 
 namespace mes {
 namespace {

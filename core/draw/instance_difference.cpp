@@ -8,7 +8,7 @@
 #include <unordered_map>
 #include <utility>
 
-#include "core/base/vec2.h"
+#include "core/base/geometry/vec2.h"
 
 namespace mes {
 namespace {

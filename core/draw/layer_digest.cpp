@@ -6,7 +6,7 @@
 #include <array>
 #include <bit>
 
-#include "core/base/vec2.h"
+#include "core/base/geometry/vec2.h"
 
 namespace mes {
 namespace {

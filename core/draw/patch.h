@@ -13,8 +13,8 @@
 #include <string_view>
 #include <vector>
 
-#include "core/base/box2.h"
-#include "core/base/finding.h"
+#include "core/base/geometry/box2.h"
+#include "core/base/geometry/finding.h"
 #include "core/base/slot.h"
 #include "core/base/stat.h"
 #include "core/draw/primitives.h"

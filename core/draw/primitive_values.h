@@ -2,8 +2,8 @@
 // Conversions from layer instances to geometry.
 #pragma once
 
-#include "core/base/arc.h"
-#include "core/base/parabola_arc.h"
+#include "core/base/geometry/arc.h"
+#include "core/base/geometry/parabola_arc.h"
 #include "core/draw/primitives.h"
 
 namespace mes {

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "core/base/geometry/vec2.h"
 #include "core/base/slot.h"
-#include "core/base/vec2.h"
 #include "core/draw/primitives.h"
 #include "core/draw/variant.h"
 

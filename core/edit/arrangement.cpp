@@ -7,7 +7,7 @@
 #include <numbers>
 #include <numeric>
 
-#include "core/base/box2.h"
+#include "core/base/geometry/box2.h"
 
 namespace mes {
 namespace {

@@ -12,9 +12,9 @@
 #include <span>
 #include <vector>
 
-#include "core/base/disk.h"
 #include "core/base/error.h"
-#include "core/base/vec2.h"
+#include "core/base/geometry/disk.h"
+#include "core/base/geometry/vec2.h"
 
 namespace mes {
 

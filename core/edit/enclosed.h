@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <span>
 
-#include "core/base/vec2.h"
+#include "core/base/geometry/vec2.h"
 
 namespace mes {
 

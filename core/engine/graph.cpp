@@ -7,7 +7,7 @@
 #include <new>
 #include <utility>
 
-#include "core/base/isolated.h"
+#include "core/base/jobs/isolated.h"
 #include "core/engine/memory_lack.h"
 #include "core/graph/size_refusal.h"
 

@@ -12,8 +12,8 @@
 #include <string_view>
 #include <vector>
 
-#include "core/base/job_control.h"
-#include "core/base/task_queue.h"
+#include "core/base/jobs/job_control.h"
+#include "core/base/jobs/task_queue.h"
 #include "core/draw/patch.h"
 #include "core/draw/variant.h"
 #include "core/engine/variant_request.h"

@@ -7,8 +7,8 @@
 #include <span>
 #include <string>
 
-#include "core/base/sampling_epsilon.h"
-#include "core/base/vec2.h"
+#include "core/base/geometry/sampling_epsilon.h"
+#include "core/base/geometry/vec2.h"
 #include "core/draw/patch.h"
 #include "core/engine/theorem_light.h"
 

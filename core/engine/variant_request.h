@@ -2,7 +2,7 @@
 // The parts of a variant (core/draw/variant.h) that are its own. Plain data.
 #pragma once
 
-#include "core/document/computation_settings.h"
+#include "core/document/settings/computation_settings.h"
 
 namespace mes {
 

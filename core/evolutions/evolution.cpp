@@ -6,7 +6,7 @@
 #include <exception>
 
 #include "core/base/assert.h"
-#include "core/base/coordinate_range.h"
+#include "core/base/geometry/coordinate_range.h"
 #include "core/document/live_corners.h"
 
 namespace mes {

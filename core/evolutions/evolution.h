@@ -26,9 +26,9 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "core/base/vec2.h"
+#include "core/base/geometry/vec2.h"
 #include "core/document/document.h"
-#include "core/document/parameter_values.h"
+#include "core/document/settings/parameter_values.h"
 #include "core/evolutions/moving_curve.h"
 
 namespace mes {

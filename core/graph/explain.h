@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "core/base/disk.h"
-#include "core/base/job_control.h"
-#include "core/base/parabola_arc.h"
+#include "core/base/geometry/disk.h"
+#include "core/base/geometry/parabola_arc.h"
+#include "core/base/jobs/job_control.h"
 #include "core/draw/provenance.h"
 #include "core/graph/element.h"
 #include "core/graph/structure.h"

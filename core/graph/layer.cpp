@@ -5,7 +5,7 @@
 #include <unordered_set>
 
 #include "core/base/error.h"
-#include "core/base/prefetch.h"
+#include "core/base/jobs/prefetch.h"
 
 namespace mes {
 

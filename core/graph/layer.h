@@ -20,9 +20,9 @@
 #include <span>
 #include <vector>
 
-#include "core/base/arc.h"
 #include "core/base/change_set.h"
-#include "core/base/parabola_arc.h"
+#include "core/base/geometry/arc.h"
+#include "core/base/geometry/parabola_arc.h"
 #include "core/draw/layer_descriptor.h"
 #include "core/draw/patch.h"
 #include "core/graph/hit.h"

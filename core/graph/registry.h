@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "core/base/named_list.h"
-#include "core/document/parameter.h"
+#include "core/document/settings/parameter.h"
 #include "core/draw/layer_descriptor.h"
 #include "core/draw/variant.h"
 #include "core/graph/structure.h"

@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "core/base/box2.h"
+#include "core/base/geometry/box2.h"
 #include "core/document/delta.h"
 #include "core/graph/structure.h"
 

@@ -24,11 +24,11 @@
 #include <vector>
 
 #include "core/base/assert.h"
-#include "core/base/finding.h"
-#include "core/base/job_control.h"
+#include "core/base/geometry/finding.h"
+#include "core/base/geometry/vec2.h"
+#include "core/base/jobs/job_control.h"
 #include "core/base/slot.h"
 #include "core/base/stat.h"
-#include "core/base/vec2.h"
 #include "core/graph/element.h"
 
 namespace mes {

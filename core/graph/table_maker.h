@@ -18,9 +18,9 @@
 #include <vector>
 
 #include "core/base/change_set.h"
-#include "core/base/disk.h"
+#include "core/base/geometry/disk.h"
+#include "core/base/geometry/vec2.h"
 #include "core/base/table.h"
-#include "core/base/vec2.h"
 #include "core/graph/table_columns.h"
 
 namespace mes {

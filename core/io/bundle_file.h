@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "core/document/bundle.h"
+#include "core/document/settings/bundle.h"
 
 namespace mes {
 

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "core/base/job_control.h"
+#include "core/base/jobs/job_control.h"
 #include "core/base/named_list.h"
 #include "core/document/commands.h"
 #include "core/document/map_plane.h"

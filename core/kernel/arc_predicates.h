@@ -13,7 +13,7 @@
 
 #include <cstdint>
 
-#include "core/base/vec2.h"
+#include "core/base/geometry/vec2.h"
 
 namespace mes {
 

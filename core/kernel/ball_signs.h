@@ -17,7 +17,7 @@
 #include <type_traits>
 
 #include "core/kernel/kernels.h"
-#include "core/kernel/two_doubles.h"
+#include "core/kernel/numbers/two_doubles.h"
 
 namespace mes {
 

@@ -9,8 +9,8 @@
 #include <limits>
 #include <numeric>
 
-#include "core/base/coordinate_range.h"
-#include "core/base/parallel.h"
+#include "core/base/geometry/coordinate_range.h"
+#include "core/base/jobs/parallel.h"
 
 namespace mes {
 namespace {

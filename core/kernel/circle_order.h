@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "core/base/vec2.h"
+#include "core/base/geometry/vec2.h"
 
 namespace mes {
 
@@ -34,7 +34,7 @@ struct RadiusRanks {
 /// Cost: O(n log n) on all cores where radii are well apart, plus a rational number for each different circle whose
 /// radius equals another or nearly so. Circles whose squared sides are the same exact doubles, as on a lattice of
 /// integers, share one number; circles through samples of one circle, whose radii are nearly equal, do not.
-/// `checkpoint` is called now and then, and may throw. Coordinates are within core/base/coordinate_range.h.
+/// `checkpoint` is called now and then, and may throw. Coordinates are within core/base/geometry/coordinate_range.h.
 RadiusRanks rank_radii(std::span<const SpannedCircle> circles, const std::function<void()>& checkpoint);
 
 /// True if the smallest circle around a and b holds p, inside or on it, that is, if the angle at p is 90 degrees or

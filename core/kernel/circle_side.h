@@ -12,8 +12,8 @@
 
 #include <cmath>
 
-#include "core/base/vec2.h"
-#include "core/kernel/two_doubles.h"
+#include "core/base/geometry/vec2.h"
+#include "core/kernel/numbers/two_doubles.h"
 
 namespace mes {
 

@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "core/base/power_of_two.h"
-#include "core/kernel/two_doubles.h"
+#include "core/kernel/numbers/two_doubles.h"
 
 namespace mes {
 namespace {

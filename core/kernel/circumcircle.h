@@ -2,7 +2,7 @@
 // Circumcircle of a triangle, rounded to doubles, for drawing and measuring; decisions use predicates instead.
 #pragma once
 
-#include "core/base/vec2.h"
+#include "core/base/geometry/vec2.h"
 
 namespace mes {
 
@@ -11,7 +11,7 @@ struct Circle {
   double radius = 0.0;
 };
 
-/// Circle through three points. Within the range of coordinates (core/base/coordinate_range.h) centre and radius are
+/// Circle through three points. Within the range of coordinates (core/base/geometry/coordinate_range.h) centre and radius are
 /// finite, and correct to at least 20 bits of the radius, however flat the triangle. Scaling the points by a power of
 /// two scales both exactly. Collinear points, and points that are not finite, give a centre and a radius that are not
 /// finite.

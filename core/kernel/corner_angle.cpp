@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/base/angle.h"
+#include "core/base/geometry/angle.h"
 #include "core/base/power_of_two.h"
 
 namespace mes {

@@ -5,7 +5,7 @@
 // the range of coordinates makes them overflow. Exchanging q and r changes nothing.
 #pragma once
 
-#include "core/base/vec2.h"
+#include "core/base/geometry/vec2.h"
 
 namespace mes {
 

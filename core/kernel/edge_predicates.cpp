@@ -12,7 +12,7 @@
 #include <numeric>
 
 #include "core/base/power_of_two.h"
-#include "core/kernel/two_doubles.h"
+#include "core/kernel/numbers/two_doubles.h"
 
 namespace mes {
 namespace {

@@ -10,7 +10,7 @@
 
 #include <cmath>
 
-#include "core/base/vec2.h"
+#include "core/base/geometry/vec2.h"
 
 namespace mes {
 

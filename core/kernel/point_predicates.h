@@ -3,8 +3,8 @@
 // has predicates of its own.
 #pragma once
 
-#include "core/base/disk.h"
-#include "core/base/vec2.h"
+#include "core/base/geometry/disk.h"
+#include "core/base/geometry/vec2.h"
 
 namespace mes {
 

@@ -15,7 +15,7 @@
 // in 128-bit integers; then in rationals. Source: Amenta, Bern and Eppstein 1998; the polynomials are ours.
 #pragma once
 
-#include "core/base/vec2.h"
+#include "core/base/geometry/vec2.h"
 
 namespace mes {
 

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <type_traits>
 
-#include "core/base/infinity.h"
+#include "core/base/geometry/infinity.h"
 #include "core/kernel/kernels.h"
 
 namespace mes {

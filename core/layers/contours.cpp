@@ -3,7 +3,7 @@
 
 #include <numbers>
 
-#include "core/base/angle.h"
+#include "core/base/geometry/angle.h"
 #include "core/layers/parts/helpers.h"
 
 namespace mes {

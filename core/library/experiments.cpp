@@ -9,7 +9,7 @@
 #include <ranges>
 #include <utility>
 
-#include "core/document/parameter.h"
+#include "core/document/settings/parameter.h"
 #include "core/evolutions/evolution.h"
 #include "core/graph/registry.h"
 #include "core/io/format_spec.h"

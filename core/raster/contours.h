@@ -18,8 +18,8 @@
 #include <functional>
 #include <vector>
 
-#include "core/base/job_control.h"
-#include "core/base/vec2.h"
+#include "core/base/geometry/vec2.h"
+#include "core/base/jobs/job_control.h"
 #include "core/raster/gray_image.h"
 
 namespace mes {

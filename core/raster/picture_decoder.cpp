@@ -10,11 +10,11 @@
 #include <utility>
 #include <vector>
 
-#include "core/raster/internal/bmp_reader.h"
-#include "core/raster/internal/jpeg_reader.h"
-#include "core/raster/internal/netpbm.h"
-#include "core/raster/internal/orientation.h"
-#include "core/raster/internal/png_reader.h"
+#include "core/raster/internal/pictures/bmp_reader.h"
+#include "core/raster/internal/pictures/jpeg_reader.h"
+#include "core/raster/internal/pictures/netpbm.h"
+#include "core/raster/internal/pictures/orientation.h"
+#include "core/raster/internal/pictures/png_reader.h"
 
 namespace mes {
 namespace {

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "core/base/job_control.h"
+#include "core/base/jobs/job_control.h"
 #include "core/raster/gray_image.h"
 
 namespace mes {

@@ -8,7 +8,7 @@
 #include <cstring>
 #include <utility>
 
-#include "core/base/parallel.h"
+#include "core/base/jobs/parallel.h"
 #include "core/raster/internal/noise.h"
 #include "core/raster/internal/outline.h"
 

@@ -61,12 +61,12 @@ bool is_figure_light(const GrayImage& image, Level level, FigureSide side);
 /// blurring would change the area of a side by more than a twentieth, as with thin figures. Silhouettes have no noise,
 /// nor do pictures half of which has none.
 ///
-/// An outline is the stiffest curve that the edges of the pixels allow (core/raster/internal/run_fit.h). A single edge
+/// An outline is the stiffest curve that the edges of the pixels allow (core/raster/internal/fitting/run_fit.h). A single edge
 /// may be off by `kSharpNoise` if there are no intermediate values, or the picture was blurred, and otherwise by
 /// `kSoftNoise`, or by more if the picture shows more; the mean of many edges by a third of that. Intermediate values
 /// give the edge by their sums, so that areas are kept. An outline that an ellipse explains is an ellipse. Corners stay
 /// corners. Single deviating pixels are ignored. Curvature has as few extremes as the edges allow
-/// (core/raster/internal/curvature.h), because each may be a branch of the axis. No edge is farther from its outline
+/// (core/raster/internal/fitting/curvature.h), because each may be a branch of the axis. No edge is farther from its outline
 /// than `kMostAway`.
 /// Cost: O(pixels); any thread. Error: `bad_input` if nothing stands out, or nothing larger than a speck; `usage` for a
 /// threshold out of range. Throws `Cancelled` if there is a job.

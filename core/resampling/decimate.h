@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/base/job_control.h"
+#include "core/base/jobs/job_control.h"
 #include "core/document/commands.h"
 #include "core/engine/sampling_verdict.h"
 

@@ -12,10 +12,9 @@
 #include <unordered_map>
 #include <utility>
 
-#include "core/base/box_tree.h"
+#include "core/base/geometry/box_tree.h"
 #include "core/curves/feature_field.h"
-#include "core/curves/finest_feature.h"
-#include "core/curves/smooth_curve.h"
+#include "core/curves/interpolation/smooth_curve.h"
 #include "core/document/taken_samples.h"
 #include "core/evolutions/moving_curve.h"
 #include "core/structures/axis/inner_balls.h"

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "core/base/job_control.h"
+#include "core/base/jobs/job_control.h"
 #include "core/curves/corners.h"
 #include "core/curves/feature_field.h"
 #include "core/curves/sampling.h"

@@ -19,10 +19,10 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "core/base/job_control.h"
+#include "core/base/jobs/job_control.h"
 #include "core/curves/curve.h"
 #include "core/document/commands.h"
-#include "core/document/parameter_values.h"
+#include "core/document/settings/parameter_values.h"
 
 namespace mes {
 

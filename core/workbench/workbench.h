@@ -13,9 +13,9 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "core/base/job_control.h"
+#include "core/base/jobs/job_control.h"
 #include "core/document/commands.h"
-#include "core/document/history.h"
+#include "core/document/timeline/history.h"
 #include "core/draw/layer_mirror.h"
 #include "core/engine/graph.h"
 #include "core/engine/theorem_light.h"

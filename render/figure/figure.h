@@ -23,9 +23,9 @@
 #include <vector>
 
 #include "core/base/color.h"
-#include "core/base/vec2.h"
-#include "render/image.h"
-#include "render/text.h"
+#include "core/base/geometry/vec2.h"
+#include "render/image/image.h"
+#include "render/image/text.h"
 
 namespace mes::figure {
 
@@ -103,7 +103,7 @@ struct Box {
 };
 
 /// The em square of the program's fonts, the unit of formats, divided by the height of their letters from ascent to
-/// descent, the unit of layouts (render/text.h).
+/// descent, the unit of layouts (render/image/text.h).
 inline constexpr double kEmOfSize = 2816.0 / 3408.0;
 
 /// Letters of one look on one line.

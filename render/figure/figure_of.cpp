@@ -7,10 +7,10 @@
 #include <span>
 #include <utility>
 
-#include "core/base/arc.h"
 #include "core/base/assert.h"
-#include "core/base/parabola_arc.h"
-#include "core/base/turn.h"
+#include "core/base/geometry/arc.h"
+#include "core/base/geometry/parabola_arc.h"
+#include "core/base/geometry/turn.h"
 #include "render/figure/internal/chains.h"
 #include "render/figure/internal/grid.h"
 #include "render/figure/internal/visible_part.h"

@@ -15,12 +15,12 @@
 #include <span>
 #include <string>
 
-#include "core/base/box2.h"
+#include "core/base/geometry/box2.h"
 #include "core/draw/layer_descriptor.h"
 #include "core/draw/layer_mirror.h"
 #include "render/camera.h"
-#include "render/colormap.h"
 #include "render/figure/figure.h"
+#include "render/instances/colormap.h"
 #include "render/scene.h"
 
 namespace mes::figure {

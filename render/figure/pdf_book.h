@@ -20,7 +20,7 @@
 #include <vector>
 
 #include "core/base/color.h"
-#include "core/base/vec2.h"
+#include "core/base/geometry/vec2.h"
 #include "render/figure/figure.h"
 
 namespace mes::figure {

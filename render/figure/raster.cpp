@@ -10,7 +10,7 @@
 #include <optional>
 #include <utility>
 
-#include "core/base/box2.h"
+#include "core/base/geometry/box2.h"
 #include "render/figure/figure_of.h"
 #include "render/figure/internal/cairo_painter.h"
 

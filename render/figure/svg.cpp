@@ -11,7 +11,7 @@
 #include "render/figure/internal/grid.h"
 #include "render/figure/internal/text_tools.h"
 #include "render/figure/writers.h"
-#include "render/png.h"
+#include "render/image/png.h"
 
 namespace mes::figure {
 namespace {

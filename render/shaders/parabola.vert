@@ -45,7 +45,7 @@ bool may_be_seen(float low, float high, float view) {
   return all(lessThanEqual(min(a, b), reach)) && all(greaterThanEqual(max(a, b), -reach));
 }
 
-// The length between two parameters in pixels: see `length_of` in core/base/parabola_arc.h. All squares are of numbers
+// The length between two parameters in pixels: see `length_of` in core/base/geometry/parabola_arc.h. All squares are of numbers
 // relative to `size`.
 float curve_length(float low, float high) {
   float size = max(max(abs(g_edge_px.x), abs(g_edge_px.y)), max(abs(g_bend_px.x), abs(g_bend_px.y)));

@@ -8,7 +8,7 @@
 #include "tests/bench/ratios.h"
 #include "tests/bench/raw_delaunay.h"
 #include "tests/bench/setup.h"
-#include "tests/support/shapes_benchmark.h"
+#include "tests/support/shapes/shapes_benchmark.h"
 
 namespace mes::bench {
 namespace {

@@ -8,7 +8,7 @@
 #include "tests/bench/ratios.h"
 #include "tests/bench/setup.h"
 #include "tests/support/builtin_layers.h"
-#include "tests/support/shapes_benchmark.h"
+#include "tests/support/shapes/shapes_benchmark.h"
 
 namespace mes::bench {
 namespace {

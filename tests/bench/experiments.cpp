@@ -14,7 +14,7 @@
 #include "core/library/internal/experiment_parts.h"
 #include "tests/bench/ratios.h"
 #include "tests/bench/setup.h"
-#include "tests/support/shapes_benchmark.h"
+#include "tests/support/shapes/shapes_benchmark.h"
 
 namespace mes::bench {
 namespace {

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "core/base/parallel.h"
+#include "core/base/jobs/parallel.h"
 #include "core/io/format.h"
 #include "tests/bench/ratios.h"
 #include "tests/bench/setup.h"

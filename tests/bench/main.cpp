@@ -5,7 +5,7 @@
 
 #include <cstdio>
 
-#include "core/base/keep_memory.h"
+#include "core/base/jobs/keep_memory.h"
 #include "tests/bench/ratios.h"
 
 int main(int argc, char** argv) {

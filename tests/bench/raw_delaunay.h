@@ -6,7 +6,7 @@
 #include <memory>
 #include <span>
 
-#include "core/base/vec2.h"
+#include "core/base/geometry/vec2.h"
 
 namespace mes::bench {
 

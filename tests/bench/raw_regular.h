@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <span>
 
-#include "core/base/disk.h"
+#include "core/base/geometry/disk.h"
 
 namespace mes::bench {
 

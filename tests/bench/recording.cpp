@@ -9,14 +9,14 @@
 
 #include "core/builtins/builtins.h"
 #include "core/io/carried_session.h"
-#include "render/egl_context.h"
+#include "render/device/egl_context.h"
 #include "render/frame_capture.h"
+#include "render/image/png.h"
 #include "render/offscreen.h"
-#include "render/png.h"
 #include "tests/bench/ratios.h"
 #include "tests/bench/setup.h"
 #include "tests/support/builtin_layers.h"
-#include "tests/support/shapes_benchmark.h"
+#include "tests/support/shapes/shapes_benchmark.h"
 
 #define STB_IMAGE_WRITE_STATIC
 #define STB_IMAGE_WRITE_IMPLEMENTATION

@@ -23,12 +23,12 @@
 #include "core/builtins/builtins.h"
 #include "core/engine/engine.h"
 #include "core/io/format.h"
-#include "render/egl_context.h"
-#include "render/gl_device.h"
+#include "render/device/egl_context.h"
+#include "render/device/gl_device.h"
 #include "render/scene.h"
 #include "tests/bench/ratios.h"
 #include "tests/bench/setup.h"
-#include "tests/support/shapes_benchmark.h"
+#include "tests/support/shapes/shapes_benchmark.h"
 
 namespace mes::bench {
 namespace {

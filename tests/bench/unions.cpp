@@ -15,8 +15,8 @@
 #include "tests/bench/raw_delaunay.h"
 #include "tests/bench/raw_regular.h"
 #include "tests/bench/setup.h"
-#include "tests/support/shapes.h"
-#include "tests/support/shapes_benchmark.h"
+#include "tests/support/shapes/shapes.h"
+#include "tests/support/shapes/shapes_benchmark.h"
 
 namespace mes::bench {
 namespace {

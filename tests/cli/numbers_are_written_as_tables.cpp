@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "core/base/vec2.h"
+#include "core/base/geometry/vec2.h"
 #include "core/io/text/text_numbers.h"
 #include "run_binary.h"
 #include "tests/cli/inputs.h"

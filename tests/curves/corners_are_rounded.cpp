@@ -3,9 +3,9 @@
 #include <cmath>
 
 #include "core/curves/corners.h"
+#include "core/curves/interpolation/smooth_curve.h"
 #include "core/curves/nearest_place.h"
 #include "core/curves/sampling.h"
-#include "core/curves/smooth_curve.h"
 #include "tests/curves/curve_parts.h"
 #include "tests/support/pi.h"
 

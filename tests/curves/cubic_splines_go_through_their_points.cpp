@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "core/base/rng.h"
-#include "core/curves/cubic_interpolation.h"
+#include "core/curves/interpolation/cubic_interpolation.h"
 #include "tests/curves/curve_parts.h"
 
 using namespace mes;

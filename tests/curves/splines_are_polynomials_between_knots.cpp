@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/base/rng.h"
-#include "core/curves/b_spline.h"
+#include "core/curves/interpolation/b_spline.h"
 #include "tests/curves/curve_parts.h"
 
 using namespace mes;

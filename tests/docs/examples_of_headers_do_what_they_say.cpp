@@ -9,32 +9,32 @@
 #include <span>
 #include <thread>
 
-#include "core/base/box_tree.h"
-#include "core/base/coordinate_range.h"
 #include "core/base/disjoint_sets.h"
+#include "core/base/geometry/box_tree.h"
+#include "core/base/geometry/coordinate_range.h"
+#include "core/base/jobs/task_queue.h"
 #include "core/base/max_tree.h"
 #include "core/base/radix_sort.h"
 #include "core/base/rng.h"
-#include "core/base/task_queue.h"
 #include "core/builtins/builtins.h"
-#include "core/curves/b_spline.h"
 #include "core/curves/clip_region.h"
 #include "core/curves/corners.h"
-#include "core/curves/cubic_interpolation.h"
 #include "core/curves/cuts.h"
 #include "core/curves/feature_field.h"
+#include "core/curves/interpolation/b_spline.h"
+#include "core/curves/interpolation/cubic_interpolation.h"
+#include "core/curves/interpolation/smooth_curve.h"
 #include "core/curves/joined_ends.h"
 #include "core/curves/line_regions.h"
 #include "core/curves/nearest_place.h"
 #include "core/curves/resolution.h"
 #include "core/curves/sampling.h"
-#include "core/curves/smooth_curve.h"
 #include "core/document/commands.h"
-#include "core/document/history.h"
-#include "core/document/layer_fold.h"
 #include "core/document/live_corners.h"
 #include "core/document/taken_samples.h"
-#include "core/document/timeline.h"
+#include "core/document/timeline/history.h"
+#include "core/document/timeline/layer_fold.h"
+#include "core/document/timeline/timeline.h"
 #include "core/draw/layer_mirror.h"
 #include "core/edit/frame_handles.h"
 #include "core/engine/engine.h"
@@ -56,10 +56,10 @@
 #include "core/structures/delaunay/voronoi_cells.h"
 #include "core/structures/density/feature_size.h"
 #include "core/structures/density/sample_sizes.h"
-#include "core/structures/filters/axis_paths.h"
 #include "core/structures/filters/axis_pruning.h"
-#include "core/structures/filters/branch_pruning.h"
 #include "core/structures/filters/center_lines.h"
+#include "core/structures/filters/paths/axis_paths.h"
+#include "core/structures/filters/paths/branch_pruning.h"
 #include "core/workbench/workbench.h"
 
 using namespace mes;
@@ -103,7 +103,7 @@ PlaneCurve bow() {
 
 std::string refused_by_coordinate_range(double x) {
   const auto refuse = [](std::string why) { return why; };
-  // core/base/coordinate_range.h
+  // core/base/geometry/coordinate_range.h
   Magnitudes seen;
   if (const auto fault = seen.fault_of(x)) return refuse(describe(*fault, x, seen));
   seen.add(x);
@@ -151,7 +151,7 @@ TEST_CASE("core/base/table.h") {
   CHECK(length.values() == std::vector{2.0});
 }
 
-TEST_CASE("core/base/task_queue.h") {
+TEST_CASE("core/base/jobs/task_queue.h") {
   std::atomic<int> a = 0;
   int b = 0;
   const auto fill = [](std::atomic<int>& x) { x = 1; };
@@ -164,7 +164,7 @@ TEST_CASE("core/base/task_queue.h") {
   CHECK(b == 2);
 }
 
-TEST_CASE("core/base/coordinate_range.h") {
+TEST_CASE("core/base/geometry/coordinate_range.h") {
   CHECK(refused_by_coordinate_range(3.0).empty());
   CHECK_FALSE(refused_by_coordinate_range(0x1p600).empty());
 }
@@ -184,7 +184,7 @@ TEST_CASE("core/document/document.h") {
   CHECK(document.sample_count() == points.size());
 }
 
-TEST_CASE("core/document/history.h") {
+TEST_CASE("core/document/timeline/history.h") {
   Document document = ring_document();
   const auto before = document.position(SampleSlot(0));
   const std::vector<std::pair<SampleId, Vec2>> targets{{document.id(SampleSlot(0)), Vec2{2.0, 0.5}}};
@@ -198,7 +198,7 @@ TEST_CASE("core/document/history.h") {
   CHECK(document.position(SampleSlot(0)) == before);
 }
 
-TEST_CASE("core/document/layer_fold.h") {
+TEST_CASE("core/document/timeline/layer_fold.h") {
   Session session;
   session.layers.layers = {{"curve", false, {}}};
   LayersChanged hidden, shown;
@@ -214,7 +214,7 @@ TEST_CASE("core/document/layer_fold.h") {
   CHECK(seen.layers.back().visible);
 }
 
-TEST_CASE("core/document/timeline.h") {
+TEST_CASE("core/document/timeline/timeline.h") {
   SampleData data;
   data.positions = ring();
   Document document = ring_document();
@@ -230,7 +230,7 @@ TEST_CASE("core/document/timeline.h") {
   CHECK(replay.document().sample_count() == data.positions.size() + 1);
 }
 
-TEST_CASE("core/document/parameter.h") {
+TEST_CASE("core/document/settings/parameter.h") {
   const Parameter reach{.id = "reach", .explanation = "Edges are at most this long", .unit = "units", .high = 10.0};
   ParameterValues values;
   values[reach] = 2.5;
@@ -451,7 +451,7 @@ TEST_CASE("core/base/max_tree.h") {
   CHECK(lengths.row_of_largest() == EdgeSlot(1));
 }
 
-TEST_CASE("core/base/box_tree.h") {
+TEST_CASE("core/base/geometry/box_tree.h") {
   const std::vector<Vec2> some{{5, 5}, {1, 2}, {-3, 0}};
   const std::span<const Vec2> places(some);
   const Vec2 p{1, 1};
@@ -499,7 +499,7 @@ TEST_CASE("core/structures/filters/axis_pruning.h") {
   CHECK(pruning.level_of(edge) == edge);
 }
 
-TEST_CASE("core/structures/filters/path_graph.h") {
+TEST_CASE("core/structures/filters/paths/path_graph.h") {
   std::vector<std::uint32_t> heads;
   const auto use = [&](std::uint32_t node) { heads.push_back(node); };
   const PathGraph graph(3, {{0, 1, 5.0}, {1, 2, 3.0}});
@@ -507,7 +507,7 @@ TEST_CASE("core/structures/filters/path_graph.h") {
   CHECK(heads == std::vector<std::uint32_t>{0, 2});
 }
 
-TEST_CASE("core/structures/filters/axis_paths.h") {
+TEST_CASE("core/structures/filters/paths/axis_paths.h") {
   AxisPaths paths(PathGraph(4, {{0, 1, 5.0}, {1, 2, 3.0}, {1, 3, 1.0}}));
   JobControl job;
   const std::vector<AxisPath> lines = paths.main_lines(1, job);  // 0-1-2, of length 8
@@ -515,7 +515,7 @@ TEST_CASE("core/structures/filters/axis_paths.h") {
   CHECK(lines[0].length == 8.0);
 }
 
-TEST_CASE("core/structures/filters/branch_pruning.h") {
+TEST_CASE("core/structures/filters/paths/branch_pruning.h") {
   const PathGraph graph(4, {{0, 1, 5.0}, {1, 2, 5.0}, {1, 3, 1.1}});
   const std::vector<double> radii{1.0, 1.0, 1.0, 0.0};
   const std::vector<std::uint8_t> is_kept = salient_branches(graph, radii, 0.5);
@@ -524,7 +524,7 @@ TEST_CASE("core/structures/filters/branch_pruning.h") {
   CHECK(lines.edges[0].length == 10.0);
 }
 
-TEST_CASE("core/structures/filters/center_line.h") {
+TEST_CASE("core/structures/filters/paths/center_line.h") {
   CenterLines set;
   const std::array<Bank, 2> banks{Bank{{50.0, 3.0}, {{{0.0, 3.0}, {100.0, 3.0}}}},
                                   Bank{{50.0, -3.0}, {{{0.0, -3.0}, {100.0, -3.0}}}}};
@@ -595,7 +595,7 @@ TEST_CASE("curves lose their corners, are laid through points, and are sampled, 
   CHECK(marked == 4);
   {
     const std::vector<Vec2> points = ring();
-    // core/curves/smooth_curve.h
+    // core/curves/interpolation/smooth_curve.h
     const PlaneCurve curve = smooth_curve(points, true, 0.8);
     CHECK(curve.piece_count() == points.size());
   }
@@ -715,12 +715,12 @@ TEST_CASE("shapes are made as their headers show") {
 }
 
 TEST_CASE("splines, pieces and letters become curves as their headers show") {
-  // core/curves/b_spline.h
+  // core/curves/interpolation/b_spline.h
   const auto curve = curve_of_spline(BSpline::clamped(3, {{0, 0}, {1, 2}, {3, 2}, {4, 0}, {6, 0}}));
   REQUIRE(curve);
   CHECK(curve->piece_count() == 2);
 
-  // core/curves/cubic_interpolation.h
+  // core/curves/interpolation/cubic_interpolation.h
   const auto arch = cubic_through(std::vector<Vec2>{{0, 0}, {1, 1}, {2, 0}}, false);
   REQUIRE(arch);
   CHECK(arch->piece_count() == 2);

@@ -3,12 +3,12 @@
 #include <catch2/catch.hpp>
 #include <new>
 
-#include "app/editing/place_index.h"
-#include "app/window/memory_problem.h"
+#include "app/editing/places/place_index.h"
+#include "app/window/work/memory_problem.h"
 #include "core/base/rng.h"
 #include "core/builtins/builtins.h"
 #include "core/document/commands.h"
-#include "core/document/timeline.h"
+#include "core/document/timeline/timeline.h"
 #include "core/draw/layer_mirror.h"
 #include "core/draw/variant.h"
 #include "core/engine/graph.h"
@@ -16,7 +16,7 @@
 #include "core/engine/theorem_light.h"
 #include "core/io/format.h"
 #include "core/io/session/session.h"
-#include "render/recording_device.h"
+#include "render/device/recording_device.h"
 #include "render/scene.h"
 #include "tests/faults/faulty_memory.h"
 #include "tests/support/added_to_registry.h"

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "core/document/commands.h"
-#include "core/document/computation_settings.h"
+#include "core/document/settings/computation_settings.h"
 #include "tests/fuzz/byte_source.h"
 
 namespace mes::fuzz {

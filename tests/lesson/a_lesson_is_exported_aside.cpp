@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "app/export/lesson_files.h"
+#include "app/export/lessons/lesson_files.h"
 #include "app/recording/lesson_export.h"
 #include "core/builtins/builtins.h"
 #include "tests/cli/run_binary.h"

@@ -9,7 +9,7 @@
 #include "app/playing/lesson_presenter.h"
 #include "core/base/rng.h"
 #include "core/builtins/builtins.h"
-#include "tests/model/random_editing.h"
+#include "tests/model/editing/random_editing.h"
 #include "tests/support/builtin_layers.h"
 
 using namespace mes;

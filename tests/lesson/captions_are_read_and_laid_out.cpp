@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/picture/caption_text.h"
+#include "app/picture/paper/caption_text.h"
 
 using namespace mes;
 using Kind = CaptionBlock::Kind;

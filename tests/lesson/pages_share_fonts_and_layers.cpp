@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "app/export/lesson_pages.h"
+#include "app/export/lessons/lesson_pages.h"
 #include "core/builtins/builtins.h"
 #include "tests/cli/run_binary.h"
 #include "tests/io/temporary_folder.h"

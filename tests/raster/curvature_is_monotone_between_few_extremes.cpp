@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/base/rng.h"
-#include "core/raster/internal/curvature.h"
+#include "core/raster/internal/fitting/curvature.h"
 
 using namespace mes;
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "core/base/vec2.h"
+#include "core/base/geometry/vec2.h"
 #include "core/raster/gray_image.h"
 
 namespace mes {

@@ -8,9 +8,9 @@
 
 #include "core/base/rng.h"
 #include "core/base/zlib.h"
-#include "render/picture_file.h"
-#include "render/png.h"
-#include "render/recording_device.h"
+#include "render/device/recording_device.h"
+#include "render/image/picture_file.h"
+#include "render/image/png.h"
 #include "tests/render/drawing.h"
 #include "tests/render/images.h"
 

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "core/base/rng.h"
-#include "render/circle_field.h"
-#include "render/counted_instances.h"
-#include "render/recording_device.h"
+#include "render/device/recording_device.h"
+#include "render/instances/circle_field.h"
+#include "render/instances/counted_instances.h"
 #include "tests/render/drawing.h"
 #include "tests/render/images.h"
 

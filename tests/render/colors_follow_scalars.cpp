@@ -6,8 +6,8 @@
 #include <numbers>
 
 #include "core/base/rng.h"
-#include "render/recording_device.h"
-#include "render/scalar_store.h"
+#include "render/device/recording_device.h"
+#include "render/instances/scalar_store.h"
 #include "tests/render/drawing.h"
 #include "tests/render/images.h"
 #include "tests/support/golden_image.h"

@@ -7,9 +7,9 @@
 
 #include "core/draw/patch.h"
 #include "render/camera.h"
-#include "render/egl_context.h"
-#include "render/gl_device.h"
-#include "render/image.h"
+#include "render/device/egl_context.h"
+#include "render/device/gl_device.h"
+#include "render/image/image.h"
 #include "render/offscreen.h"
 #include "render/scene.h"
 

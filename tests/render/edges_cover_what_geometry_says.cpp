@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/base/parabola_arc.h"
+#include "core/base/geometry/parabola_arc.h"
 #include "core/base/rng.h"
 #include "tests/render/drawing.h"
 #include "tests/render/images.h"

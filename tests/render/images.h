@@ -6,7 +6,7 @@
 #include <cstdlib>
 
 #include "core/draw/layer_style.h"
-#include "render/image.h"
+#include "render/image/image.h"
 
 namespace mes::test {
 

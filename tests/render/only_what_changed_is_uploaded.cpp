@@ -7,8 +7,8 @@
 
 #include "core/base/assert.h"
 #include "core/base/rng.h"
-#include "render/instance_layout.h"
-#include "render/recording_device.h"
+#include "render/device/instance_layout.h"
+#include "render/device/recording_device.h"
 #include "tests/render/drawing.h"
 
 using namespace mes;

@@ -5,7 +5,7 @@
 #include <cstring>
 
 #include "core/base/rng.h"
-#include "render/png.h"
+#include "render/image/png.h"
 #include "tests/render/drawing.h"
 #include "tests/support/golden_image.h"
 

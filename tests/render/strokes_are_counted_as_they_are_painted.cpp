@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "core/base/rng.h"
-#include "render/counted_instances.h"
-#include "render/recording_device.h"
-#include "render/stroke_field.h"
+#include "render/device/recording_device.h"
+#include "render/instances/counted_instances.h"
+#include "render/instances/stroke_field.h"
 #include "tests/render/drawing.h"
 #include "tests/render/images.h"
 

@@ -9,9 +9,9 @@
 #include <limits>
 #include <numbers>
 
-#include "render/draw_uniforms.h"
-#include "render/egl_context.h"
-#include "render/gl_programs.h"
+#include "render/device/draw_uniforms.h"
+#include "render/device/egl_context.h"
+#include "render/device/gl_programs.h"
 
 namespace mes::render {
 namespace {

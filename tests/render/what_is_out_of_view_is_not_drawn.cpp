@@ -8,8 +8,8 @@
 #include <numeric>
 
 #include "core/base/rng.h"
-#include "render/block_boxes.h"
-#include "render/recording_device.h"
+#include "render/device/recording_device.h"
+#include "render/instances/block_boxes.h"
 #include "tests/render/drawing.h"
 
 using namespace mes;

@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 #include <memory>
 
-#include "render/recording_device.h"
+#include "render/device/recording_device.h"
 #include "tests/render/drawing.h"
 
 using namespace mes;

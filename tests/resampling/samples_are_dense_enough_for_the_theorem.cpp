@@ -5,7 +5,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "core/base/box2.h"
+#include "core/base/geometry/box2.h"
 #include "core/resampling/resampling.h"
 #include "tests/curves/curve_parts.h"
 #include "tests/support/pi.h"

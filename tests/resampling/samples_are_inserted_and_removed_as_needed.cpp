@@ -13,8 +13,8 @@
 #include "core/resampling/decimate.h"
 #include "core/resampling/repair.h"
 #include "core/structures/density/feature_size.h"
-#include "tests/support/shapes.h"
-#include "tests/support/shapes_degenerate.h"
+#include "tests/support/shapes/shapes.h"
+#include "tests/support/shapes/shapes_degenerate.h"
 #include "tests/support/workbench.h"
 
 using namespace mes;

@@ -19,7 +19,7 @@
 #include <span>
 #include <vector>
 
-#include "core/base/vec2.h"
+#include "core/base/geometry/vec2.h"
 #include "core/kernel/edge_predicates.h"
 
 namespace mes::test {

@@ -16,7 +16,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "render/png.h"
+#include "render/image/png.h"
 
 namespace mes::test {
 namespace {

@@ -7,7 +7,7 @@
 
 #include <string>
 
-#include "render/image.h"
+#include "render/image/image.h"
 
 namespace mes::test {
 

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/base/geometry/vec2.h"
 #include "core/base/rng.h"
-#include "core/base/vec2.h"
 
 namespace mes::test {
 

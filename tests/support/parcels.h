@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/base/box2.h"
+#include "core/base/geometry/box2.h"
 #include "core/base/rng.h"
 #include "core/curves/curve.h"
 

@@ -8,9 +8,9 @@
 #include <set>
 #include <utility>
 
-#include "tests/support/shapes.h"
-#include "tests/support/shapes_benchmark.h"
-#include "tests/support/shapes_degenerate.h"
+#include "tests/support/shapes/shapes.h"
+#include "tests/support/shapes/shapes_benchmark.h"
+#include "tests/support/shapes/shapes_degenerate.h"
 
 using namespace mes;
 using namespace mes::test;

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "app/canvas/tools/tool.h"
-#include "app/editing/annotation_editor.h"
+#include "app/editing/tools/annotation_editor.h"
 
 namespace mes {
 

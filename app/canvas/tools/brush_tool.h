@@ -3,7 +3,7 @@
 #pragma once
 
 #include "app/canvas/tools/tool.h"
-#include "app/editing/brush.h"
+#include "app/editing/tools/brush.h"
 
 namespace mes {
 

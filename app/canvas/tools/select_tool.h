@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/canvas/tools/tool.h"
-#include "app/editing/ball_pick.h"
+#include "app/editing/places/ball_pick.h"
 
 namespace mes {
 

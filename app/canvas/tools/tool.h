@@ -10,12 +10,12 @@
 #include <vector>
 
 #include "app/actions/key_chord.h"
-#include "app/editing/annotation_editor.h"
-#include "app/editing/brush_settings.h"
 #include "app/editing/editor.h"
 #include "app/editing/selection_frame.h"
-#include "app/editing/snapper.h"
-#include "core/base/box2.h"
+#include "app/editing/tools/annotation_editor.h"
+#include "app/editing/tools/brush_settings.h"
+#include "app/editing/tools/snapper.h"
+#include "core/base/geometry/box2.h"
 #include "core/edit/frame_handles.h"
 
 namespace mes {

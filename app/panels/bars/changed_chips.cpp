@@ -3,10 +3,10 @@
 
 #include <fmt/core.h>
 
-#include "app/layers/parameter_words.h"
-#include "app/ui/icons.h"
-#include "app/ui/theme.h"
-#include "app/ui/widgets.h"
+#include "app/layers/words/parameter_words.h"
+#include "app/ui/screen/theme.h"
+#include "app/ui/widgets/icons.h"
+#include "app/ui/widgets/widgets.h"
 
 namespace mes {
 namespace {

@@ -5,7 +5,7 @@
 #include "app/actions/messages.h"
 #include "app/insight/computation_control.h"
 #include "app/layers/changed_parameters.h"
-#include "app/ui/gui.h"
+#include "app/ui/screen/gui.h"
 
 namespace mes {
 

@@ -7,15 +7,15 @@
 #include <optional>
 #include <string>
 
-#include "app/layers/parameter_words.h"
+#include "app/layers/words/parameter_words.h"
 #include "app/playing/evolution_layers.h"
-#include "app/ui/icons.h"
-#include "app/ui/mark_band.h"
-#include "app/ui/number_field.h"
-#include "app/ui/paragraph.h"
-#include "app/ui/slider.h"
-#include "app/ui/theme.h"
-#include "app/ui/widgets.h"
+#include "app/ui/screen/theme.h"
+#include "app/ui/widgets/icons.h"
+#include "app/ui/widgets/mark_band.h"
+#include "app/ui/widgets/number_field.h"
+#include "app/ui/widgets/paragraph.h"
+#include "app/ui/widgets/slider.h"
+#include "app/ui/widgets/widgets.h"
 #include "core/base/color.h"
 #include "core/base/rng.h"
 

@@ -6,7 +6,7 @@
 #include "app/actions/messages.h"
 #include "app/playing/evolution_player.h"
 #include "app/playing/step_events.h"
-#include "app/ui/gui.h"
+#include "app/ui/screen/gui.h"
 
 namespace mes {
 

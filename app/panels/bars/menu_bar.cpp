@@ -8,10 +8,10 @@
 
 #include "app/actions/menus.h"
 #include "app/panels/bars/interface_sizes.h"
-#include "app/picture/canvas_look.h"
-#include "app/ui/theme.h"
-#include "app/ui/widgets.h"
-#include "render/convert.h"
+#include "app/picture/paper/canvas_look.h"
+#include "app/ui/screen/theme.h"
+#include "app/ui/widgets/widgets.h"
+#include "render/device/convert.h"
 
 namespace mes {
 namespace {

@@ -11,10 +11,10 @@
 #include "app/layers/layer_stack.h"
 #include "app/playing/evolution_player.h"
 #include "app/settings/settings.h"
-#include "app/store/layer_text.h"
 #include "app/store/lessons.h"
 #include "app/store/sample_shapes.h"
-#include "app/ui/gui.h"
+#include "app/store/texts/layer_text.h"
+#include "app/ui/screen/gui.h"
 
 namespace mes {
 

@@ -8,14 +8,14 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include "app/settings/record_settings.h"
-#include "app/ui/icons.h"
-#include "app/ui/number_field.h"
-#include "app/ui/paragraph.h"
-#include "app/ui/slider.h"
-#include "app/ui/theme.h"
-#include "app/ui/widgets.h"
+#include "app/ui/screen/theme.h"
+#include "app/ui/widgets/icons.h"
+#include "app/ui/widgets/number_field.h"
+#include "app/ui/widgets/paragraph.h"
+#include "app/ui/widgets/slider.h"
+#include "app/ui/widgets/widgets.h"
 #include "imgui_stdlib.h"
-#include "render/convert.h"
+#include "render/device/convert.h"
 
 namespace mes {
 namespace {

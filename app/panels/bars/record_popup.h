@@ -5,7 +5,7 @@
 #include "app/actions/action_bindings.h"
 #include "app/picture/picture.h"
 #include "app/recording/window_recorder.h"
-#include "app/ui/gui.h"
+#include "app/ui/screen/gui.h"
 
 namespace mes {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string>
 
-#include "app/ui/button_columns.h"
+#include "app/ui/widgets/button_columns.h"
 
 namespace mes {
 namespace {

@@ -8,8 +8,8 @@
 
 #include "app/actions/action_bindings.h"
 #include "app/settings/settings.h"
-#include "app/ui/icons.h"
-#include "app/ui/widgets.h"
+#include "app/ui/widgets/icons.h"
+#include "app/ui/widgets/widgets.h"
 
 namespace mes {
 

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/layers/statistics_text.h"
+#include "app/layers/words/statistics_text.h"
 #include "app/panels/bars/changed_chips.h"
-#include "app/picture/scale_drawing.h"
-#include "app/ui/theme.h"
+#include "app/picture/paper/scale_drawing.h"
+#include "app/ui/screen/theme.h"
 #include "core/io/systems/map_conversion.h"
 
 namespace mes {

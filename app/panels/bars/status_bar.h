@@ -9,7 +9,7 @@
 #include "app/panels/bars/verdict.h"
 #include "app/panels/bars/work_in_progress.h"
 #include "app/picture/picture.h"
-#include "app/ui/widgets.h"
+#include "app/ui/widgets/widgets.h"
 
 namespace mes {
 

@@ -3,10 +3,10 @@
 
 #include <array>
 
-#include "app/ui/button_columns.h"
-#include "app/ui/icons.h"
-#include "app/ui/slider.h"
-#include "app/ui/widgets.h"
+#include "app/ui/widgets/button_columns.h"
+#include "app/ui/widgets/icons.h"
+#include "app/ui/widgets/slider.h"
+#include "app/ui/widgets/widgets.h"
 
 namespace mes {
 namespace {

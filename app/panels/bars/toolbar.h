@@ -6,7 +6,7 @@
 #include "app/canvas/canvas.h"
 #include "app/panels/bars/record_popup.h"
 #include "app/settings/settings.h"
-#include "app/ui/gui.h"
+#include "app/ui/screen/gui.h"
 
 namespace mes {
 

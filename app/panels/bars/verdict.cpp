@@ -7,11 +7,11 @@
 #include <cmath>
 #include <string>
 
-#include "app/editing/neighborhood.h"
+#include "app/editing/places/neighborhood.h"
 #include "app/picture/shown_verdict.h"
-#include "app/ui/paragraph.h"
-#include "app/ui/theme.h"
-#include "app/ui/widgets.h"
+#include "app/ui/screen/theme.h"
+#include "app/ui/widgets/paragraph.h"
+#include "app/ui/widgets/widgets.h"
 
 namespace mes {
 namespace {

@@ -5,9 +5,9 @@
 #include "app/actions/action_bindings.h"
 #include "app/canvas/canvas.h"
 #include "app/picture/picture.h"
-#include "app/ui/gui.h"
-#include "core/document/computation_settings.h"
+#include "app/ui/screen/gui.h"
 #include "core/document/document.h"
+#include "core/document/settings/computation_settings.h"
 
 namespace mes {
 

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <string>
 
-#include "app/layers/statistics_text.h"
-#include "app/layers/verdict_word.h"
-#include "app/ui/theme.h"
-#include "app/ui/widgets.h"
+#include "app/layers/words/statistics_text.h"
+#include "app/layers/words/verdict_word.h"
+#include "app/ui/screen/theme.h"
+#include "app/ui/widgets/widgets.h"
 
 namespace mes {
 namespace {

@@ -9,7 +9,7 @@
 #include "app/recording/lesson_export.h"
 #include "app/recording/window_recorder.h"
 #include "app/store/document_files.h"
-#include "app/ui/gui.h"
+#include "app/ui/screen/gui.h"
 #include "core/engine/engine.h"
 
 namespace mes {

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <utility>
 
-#include "app/ui/paragraph.h"
-#include "app/ui/widgets.h"
+#include "app/ui/widgets/paragraph.h"
+#include "app/ui/widgets/widgets.h"
 
 namespace mes {
 namespace {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "app/actions/palette.h"
-#include "app/ui/dialog.h"
-#include "app/ui/name_field.h"
+#include "app/ui/dialogs/dialog.h"
+#include "app/ui/dialogs/name_field.h"
 
 namespace mes {
 

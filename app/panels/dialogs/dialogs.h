@@ -5,18 +5,18 @@
 #include <array>
 #include <vector>
 
-#include "app/panels/dialogs/ask_conflict.h"
-#include "app/panels/dialogs/ask_experiment.h"
-#include "app/panels/dialogs/ask_recover.h"
-#include "app/panels/dialogs/ask_unsaved.h"
 #include "app/panels/dialogs/command_palette.h"
 #include "app/panels/dialogs/figure_dialog.h"
 #include "app/panels/dialogs/help.h"
 #include "app/panels/dialogs/manual_page.h"
+#include "app/panels/dialogs/questions/ask_conflict.h"
+#include "app/panels/dialogs/questions/ask_experiment.h"
+#include "app/panels/dialogs/questions/ask_recover.h"
+#include "app/panels/dialogs/questions/ask_unsaved.h"
 #include "app/panels/dialogs/shape_dialog.h"
 #include "app/panels/dialogs/text_dialog.h"
 #include "app/panels/dialogs/trace_dialog.h"
-#include "app/ui/file_browser.h"
+#include "app/ui/dialogs/file_browser.h"
 
 namespace mes {
 

@@ -8,12 +8,12 @@
 #include <span>
 #include <string_view>
 
-#include "app/layers/statistics_text.h"
-#include "app/ui/icons.h"
-#include "app/ui/large_dialog.h"
-#include "app/ui/number_field.h"
-#include "app/ui/paragraph.h"
-#include "app/ui/widgets.h"
+#include "app/layers/words/statistics_text.h"
+#include "app/ui/dialogs/large_dialog.h"
+#include "app/ui/widgets/icons.h"
+#include "app/ui/widgets/number_field.h"
+#include "app/ui/widgets/paragraph.h"
+#include "app/ui/widgets/widgets.h"
 #include "imgui_stdlib.h"
 
 namespace mes {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/export/latest_figure.h"
-#include "app/ui/dialog.h"
+#include "app/ui/dialogs/dialog.h"
 
 namespace mes {
 

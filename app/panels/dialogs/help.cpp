@@ -8,10 +8,10 @@
 #include <string_view>
 #include <vector>
 
-#include "app/ui/even_columns.h"
-#include "app/ui/icons.h"
-#include "app/ui/paragraph.h"
-#include "app/ui/widgets.h"
+#include "app/ui/widgets/even_columns.h"
+#include "app/ui/widgets/icons.h"
+#include "app/ui/widgets/paragraph.h"
+#include "app/ui/widgets/widgets.h"
 
 namespace mes {
 namespace {

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "app/actions/keymap.h"
-#include "app/ui/dialog.h"
+#include "app/ui/dialogs/dialog.h"
 
 namespace mes {
 

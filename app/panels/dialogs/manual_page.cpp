@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/ui/icons.h"
-#include "app/ui/large_dialog.h"
-#include "app/ui/widgets.h"
+#include "app/ui/dialogs/large_dialog.h"
+#include "app/ui/widgets/icons.h"
+#include "app/ui/widgets/widgets.h"
 
 namespace mes {
 namespace {

@@ -12,8 +12,8 @@
 #include "app/actions/keymap.h"
 #include "app/actions/manual_layout.h"
 #include "app/actions/manual_text.h"
-#include "app/ui/dialog.h"
-#include "app/ui/name_field.h"
+#include "app/ui/dialogs/dialog.h"
+#include "app/ui/dialogs/name_field.h"
 #include "core/graph/live_registry.h"
 
 namespace mes {

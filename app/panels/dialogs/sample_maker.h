@@ -6,9 +6,9 @@
 #include <optional>
 #include <string>
 
-#include "app/editing/sample_making.h"
+#include "app/editing/curves/sample_making.h"
 #include "app/system/waker.h"
-#include "app/ui/gui.h"
+#include "app/ui/screen/gui.h"
 
 namespace mes {
 

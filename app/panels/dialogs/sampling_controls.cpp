@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <vector>
 
-#include "app/ui/slider.h"
-#include "app/ui/theme.h"
-#include "app/ui/widgets.h"
-#include "core/base/box2.h"
-#include "core/base/disk.h"
+#include "app/ui/screen/theme.h"
+#include "app/ui/widgets/slider.h"
+#include "app/ui/widgets/widgets.h"
+#include "core/base/geometry/box2.h"
+#include "core/base/geometry/disk.h"
 
 namespace mes {
 namespace {

@@ -2,7 +2,7 @@
 // The common part of the dialogs that sample curves: sampling options and preview.
 #pragma once
 
-#include "app/ui/gui.h"
+#include "app/ui/screen/gui.h"
 #include "core/shapes/shape.h"
 
 namespace mes {

@@ -13,7 +13,7 @@
 #include "app/panels/dialogs/sample_maker.h"
 #include "app/panels/dialogs/sampling_controls.h"
 #include "app/system/waker.h"
-#include "app/ui/dialog.h"
+#include "app/ui/dialogs/dialog.h"
 #include "core/graph/live_registry.h"
 #include "core/shapes/shape.h"
 

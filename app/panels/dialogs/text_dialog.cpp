@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/ui/large_dialog.h"
-#include "app/ui/slider.h"
-#include "app/ui/theme.h"
-#include "app/ui/widgets.h"
+#include "app/ui/dialogs/large_dialog.h"
+#include "app/ui/screen/theme.h"
+#include "app/ui/widgets/slider.h"
+#include "app/ui/widgets/widgets.h"
 #include "core/base/lower_case.h"
 #include "imgui_stdlib.h"
 

@@ -10,7 +10,7 @@
 #include "app/panels/dialogs/sample_maker.h"
 #include "app/panels/dialogs/sampling_controls.h"
 #include "app/system/waker.h"
-#include "app/ui/dialog.h"
+#include "app/ui/dialogs/dialog.h"
 #include "core/glyphs/text_outlines.h"
 #include "core/shapes/shape.h"
 

@@ -7,12 +7,12 @@
 #include <cmath>
 #include <vector>
 
-#include "app/ui/icons.h"
-#include "app/ui/large_dialog.h"
-#include "app/ui/paragraph.h"
-#include "app/ui/slider.h"
-#include "app/ui/theme.h"
-#include "app/ui/widgets.h"
+#include "app/ui/dialogs/large_dialog.h"
+#include "app/ui/screen/theme.h"
+#include "app/ui/widgets/icons.h"
+#include "app/ui/widgets/paragraph.h"
+#include "app/ui/widgets/slider.h"
+#include "app/ui/widgets/widgets.h"
 
 namespace mes {
 namespace {

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "app/store/trace_job.h"
-#include "app/ui/dialog.h"
+#include "app/ui/dialogs/dialog.h"
 
 namespace mes {
 

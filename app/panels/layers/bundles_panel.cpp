@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/ui/icons.h"
-#include "app/ui/theme.h"
-#include "app/ui/widgets.h"
+#include "app/ui/screen/theme.h"
+#include "app/ui/widgets/icons.h"
+#include "app/ui/widgets/widgets.h"
 
 namespace mes {
 namespace {

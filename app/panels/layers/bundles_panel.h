@@ -8,9 +8,9 @@
 
 #include "app/actions/action_bindings.h"
 #include "app/actions/messages.h"
-#include "app/store/window_bundles.h"
-#include "app/ui/name_field.h"
-#include "app/ui/widgets.h"
+#include "app/store/looks/window_bundles.h"
+#include "app/ui/dialogs/name_field.h"
+#include "app/ui/widgets/widgets.h"
 
 namespace mes {
 

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
-#include "app/layers/scalar_words.h"
-#include "app/ui/number_field.h"
-#include "app/ui/theme.h"
-#include "app/ui/widgets.h"
+#include "app/layers/words/scalar_words.h"
+#include "app/ui/screen/theme.h"
+#include "app/ui/widgets/number_field.h"
+#include "app/ui/widgets/widgets.h"
 
 namespace mes {
 namespace {

@@ -9,8 +9,8 @@
 
 #include "app/layers/layer_stack.h"
 #include "app/picture/picture.h"
-#include "app/ui/gui.h"
-#include "render/colormap.h"
+#include "app/ui/screen/gui.h"
+#include "render/instances/colormap.h"
 
 namespace mes {
 

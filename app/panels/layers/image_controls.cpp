@@ -4,11 +4,11 @@
 #include <filesystem>
 
 #include "app/store/background_loader.h"
-#include "app/ui/number_field.h"
-#include "app/ui/paragraph.h"
-#include "app/ui/theme.h"
-#include "app/ui/widgets.h"
-#include "core/base/coordinate_range.h"
+#include "app/ui/screen/theme.h"
+#include "app/ui/widgets/number_field.h"
+#include "app/ui/widgets/paragraph.h"
+#include "app/ui/widgets/widgets.h"
+#include "core/base/geometry/coordinate_range.h"
 
 namespace mes {
 namespace {

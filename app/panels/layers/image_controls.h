@@ -6,7 +6,7 @@
 #include "app/canvas/canvas.h"
 #include "app/layers/layer_stack.h"
 #include "app/picture/picture.h"
-#include "app/ui/gui.h"
+#include "app/ui/screen/gui.h"
 
 namespace mes {
 

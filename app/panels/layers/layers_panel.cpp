@@ -10,15 +10,15 @@
 #include <iterator>
 #include <utility>
 
-#include "app/editing/sample_spacing.h"
-#include "app/layers/statistics_text.h"
-#include "app/picture/canvas_look.h"
-#include "app/ui/icons.h"
-#include "app/ui/slider.h"
-#include "app/ui/theme.h"
-#include "app/ui/widgets.h"
+#include "app/editing/curves/sample_spacing.h"
+#include "app/layers/words/statistics_text.h"
+#include "app/picture/paper/canvas_look.h"
+#include "app/ui/screen/theme.h"
+#include "app/ui/widgets/icons.h"
+#include "app/ui/widgets/slider.h"
+#include "app/ui/widgets/widgets.h"
 #include "imgui_stdlib.h"
-#include "render/convert.h"
+#include "render/device/convert.h"
 
 namespace mes {
 namespace {

@@ -13,8 +13,8 @@
 #include "app/layers/layer_list.h"
 #include "app/panels/layers/color_map_controls.h"
 #include "app/panels/layers/image_controls.h"
-#include "app/store/layer_text.h"
-#include "app/ui/widgets.h"
+#include "app/store/texts/layer_text.h"
+#include "app/ui/widgets/widgets.h"
 
 namespace mes {
 

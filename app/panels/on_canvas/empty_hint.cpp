@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "app/actions/actions.h"
-#include "app/picture/canvas_look.h"
-#include "app/ui/theme.h"
+#include "app/picture/paper/canvas_look.h"
+#include "app/ui/screen/theme.h"
 
 namespace mes {
 namespace {

@@ -6,7 +6,7 @@
 #include "app/canvas/canvas.h"
 #include "app/picture/picture.h"
 #include "app/store/document_files.h"
-#include "app/ui/gui.h"
+#include "app/ui/screen/gui.h"
 
 namespace mes {
 

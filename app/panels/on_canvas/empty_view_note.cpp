@@ -5,7 +5,7 @@
 #include <string>
 
 #include "app/layers/empty_view.h"
-#include "app/ui/paragraph.h"
+#include "app/ui/widgets/paragraph.h"
 
 namespace mes {
 

@@ -5,7 +5,7 @@
 #include "app/editing/editor.h"
 #include "app/layers/layer_stack.h"
 #include "app/picture/picture.h"
-#include "app/ui/gui.h"
+#include "app/ui/screen/gui.h"
 #include "core/engine/engine.h"
 
 namespace mes {

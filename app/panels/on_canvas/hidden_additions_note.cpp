@@ -7,8 +7,8 @@
 #include "app/editing/selection.h"
 #include "app/layers/ball_families.h"
 #include "app/layers/empty_view.h"
-#include "app/ui/icons.h"
-#include "app/ui/widgets.h"
+#include "app/ui/widgets/icons.h"
+#include "app/ui/widgets/widgets.h"
 
 namespace mes {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "app/editing/editor.h"
 #include "app/editing/hidden_additions.h"
-#include "app/ui/gui.h"
+#include "app/ui/screen/gui.h"
 
 namespace mes {
 

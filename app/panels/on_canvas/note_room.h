@@ -6,7 +6,7 @@
 #include <functional>
 #include <initializer_list>
 
-#include "core/base/box2.h"
+#include "core/base/geometry/box2.h"
 
 namespace mes {
 

@@ -6,11 +6,11 @@
 #include <cmath>
 #include <optional>
 
-#include "app/layers/parameter_words.h"
-#include "app/picture/pane_sheet.h"
-#include "app/ui/number_field.h"
-#include "app/ui/slider.h"
-#include "app/ui/widgets.h"
+#include "app/layers/words/parameter_words.h"
+#include "app/picture/paper/pane_sheet.h"
+#include "app/ui/widgets/number_field.h"
+#include "app/ui/widgets/slider.h"
+#include "app/ui/widgets/widgets.h"
 
 namespace mes {
 namespace {

@@ -11,8 +11,8 @@
 #include "app/panes/pane_list.h"
 #include "app/panes/pane_places.h"
 #include "app/playing/evolution_player.h"
-#include "app/store/window_bundles.h"
-#include "app/ui/gui.h"
+#include "app/store/looks/window_bundles.h"
+#include "app/ui/screen/gui.h"
 
 namespace mes {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "app/ui/theme.h"
+#include "app/ui/screen/theme.h"
 
 namespace mes {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "app/panels/on_canvas/note_room.h"
-#include "app/ui/gui.h"
+#include "app/ui/screen/gui.h"
 
 namespace mes {
 

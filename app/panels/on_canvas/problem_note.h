@@ -8,7 +8,7 @@
 
 #include "app/actions/messages.h"
 #include "app/panels/on_canvas/note_room.h"
-#include "app/ui/gui.h"
+#include "app/ui/screen/gui.h"
 
 namespace mes {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/panels/on_canvas/refusal_note.h"
 
-#include "app/ui/paragraph.h"
+#include "app/ui/widgets/paragraph.h"
 
 namespace mes {
 

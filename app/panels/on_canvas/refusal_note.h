@@ -3,7 +3,7 @@
 #pragma once
 
 #include "app/actions/messages.h"
-#include "app/ui/gui.h"
+#include "app/ui/screen/gui.h"
 
 namespace mes {
 

@@ -6,12 +6,12 @@
 #include <array>
 #include <cmath>
 
-#include "app/panels/on_canvas/shape_pen.h"
-#include "app/ui/paragraph.h"
-#include "app/ui/plot.h"
-#include "app/ui/slider.h"
-#include "app/ui/theme.h"
-#include "app/ui/widgets.h"
+#include "app/panels/on_canvas/marks/shape_pen.h"
+#include "app/ui/screen/theme.h"
+#include "app/ui/widgets/paragraph.h"
+#include "app/ui/widgets/plot.h"
+#include "app/ui/widgets/slider.h"
+#include "app/ui/widgets/widgets.h"
 #include "core/base/color.h"
 #include "imgui_stdlib.h"
 

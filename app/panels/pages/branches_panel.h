@@ -11,7 +11,7 @@
 #include "app/editing/editor.h"
 #include "app/insight/computation_control.h"
 #include "app/insight/latest_branches.h"
-#include "app/ui/gui.h"
+#include "app/ui/screen/gui.h"
 
 namespace mes {
 

@@ -7,10 +7,10 @@
 #include <numbers>
 #include <string>
 
-#include "app/ui/paragraph.h"
-#include "app/ui/slider.h"
-#include "app/ui/widgets.h"
-#include "core/base/box2.h"
+#include "app/ui/widgets/paragraph.h"
+#include "app/ui/widgets/slider.h"
+#include "app/ui/widgets/widgets.h"
+#include "core/base/geometry/box2.h"
 
 namespace mes {
 namespace {

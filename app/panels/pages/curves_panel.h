@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "app/actions/action_bindings.h"
-#include "app/editing/curve_sampler.h"
-#include "app/ui/gui.h"
+#include "app/editing/curves/curve_sampler.h"
+#include "app/ui/screen/gui.h"
 
 namespace mes {
 

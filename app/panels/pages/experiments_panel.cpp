@@ -7,10 +7,10 @@
 
 #include <string>
 
-#include "app/ui/icons.h"
-#include "app/ui/paragraph.h"
-#include "app/ui/theme.h"
-#include "app/ui/widgets.h"
+#include "app/ui/screen/theme.h"
+#include "app/ui/widgets/icons.h"
+#include "app/ui/widgets/paragraph.h"
+#include "app/ui/widgets/widgets.h"
 #include "imgui_stdlib.h"
 
 namespace mes {

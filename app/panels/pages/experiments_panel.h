@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "app/experiments/experiment_list.h"
-#include "app/ui/gui.h"
+#include "app/ui/screen/gui.h"
 
 namespace mes {
 

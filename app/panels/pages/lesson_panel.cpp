@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/picture/caption_text.h"
+#include "app/picture/paper/caption_text.h"
 #include "app/playing/lesson_walk.h"
-#include "app/ui/icons.h"
-#include "app/ui/number_field.h"
-#include "app/ui/paragraph.h"
-#include "app/ui/widgets.h"
+#include "app/ui/widgets/icons.h"
+#include "app/ui/widgets/number_field.h"
+#include "app/ui/widgets/paragraph.h"
+#include "app/ui/widgets/widgets.h"
 #include "imgui_stdlib.h"
 
 namespace mes {

@@ -10,7 +10,7 @@
 #include "app/actions/action_bindings.h"
 #include "app/playing/lesson_editor.h"
 #include "app/playing/lesson_presenter.h"
-#include "app/ui/gui.h"
+#include "app/ui/screen/gui.h"
 
 namespace mes {
 

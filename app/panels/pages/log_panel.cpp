@@ -5,9 +5,9 @@
 #include <array>
 #include <ctime>
 
-#include "app/ui/paragraph.h"
-#include "app/ui/theme.h"
-#include "app/ui/widgets.h"
+#include "app/ui/screen/theme.h"
+#include "app/ui/widgets/paragraph.h"
+#include "app/ui/widgets/widgets.h"
 
 namespace mes {
 namespace {

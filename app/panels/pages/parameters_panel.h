@@ -13,8 +13,8 @@
 #include "app/insight/scale_events.h"
 #include "app/layers/layer_stack.h"
 #include "app/picture/picture.h"
-#include "app/ui/gui.h"
-#include "app/ui/mark_band.h"
+#include "app/ui/screen/gui.h"
+#include "app/ui/widgets/mark_band.h"
 
 namespace mes {
 

@@ -7,10 +7,10 @@
 #include <ranges>
 #include <unordered_set>
 
-#include "app/panels/on_canvas/shape_pen.h"
-#include "app/ui/paragraph.h"
-#include "app/ui/theme.h"
-#include "app/ui/widgets.h"
+#include "app/panels/on_canvas/marks/shape_pen.h"
+#include "app/ui/screen/theme.h"
+#include "app/ui/widgets/paragraph.h"
+#include "app/ui/widgets/widgets.h"
 #include "core/base/color.h"
 
 namespace mes {

@@ -15,7 +15,7 @@
 #include "app/editing/editor.h"
 #include "app/insight/computation_control.h"
 #include "app/insight/latest_persistence.h"
-#include "app/ui/plot.h"
+#include "app/ui/widgets/plot.h"
 
 namespace mes {
 

@@ -4,13 +4,13 @@
 #include <fmt/core.h>
 #include <algorithm>
 
-#include "app/editing/neighborhood.h"
-#include "app/layers/parameter_words.h"
+#include "app/editing/places/neighborhood.h"
+#include "app/layers/words/parameter_words.h"
 #include "app/picture/shown_verdict.h"
-#include "app/ui/number_field.h"
-#include "app/ui/paragraph.h"
-#include "app/ui/theme.h"
-#include "app/ui/widgets.h"
+#include "app/ui/screen/theme.h"
+#include "app/ui/widgets/number_field.h"
+#include "app/ui/widgets/paragraph.h"
+#include "app/ui/widgets/widgets.h"
 
 namespace mes {
 namespace {

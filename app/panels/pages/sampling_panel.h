@@ -6,9 +6,9 @@
 #include "app/actions/action_bindings.h"
 #include "app/actions/messages.h"
 #include "app/canvas/canvas.h"
-#include "app/editing/resample_job.h"
+#include "app/editing/curves/resample_job.h"
 #include "app/picture/picture.h"
-#include "app/ui/gui.h"
+#include "app/ui/screen/gui.h"
 
 namespace mes {
 

@@ -3,9 +3,9 @@
 
 #include <array>
 
-#include "app/ui/number_field.h"
-#include "app/ui/paragraph.h"
-#include "app/ui/widgets.h"
+#include "app/ui/widgets/number_field.h"
+#include "app/ui/widgets/paragraph.h"
+#include "app/ui/widgets/widgets.h"
 #include "core/formula/formula.h"
 #include "imgui_stdlib.h"
 

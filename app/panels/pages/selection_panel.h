@@ -10,7 +10,7 @@
 #include "app/actions/refusal.h"
 #include "app/canvas/canvas.h"
 #include "app/editing/selection_commands.h"
-#include "app/ui/gui.h"
+#include "app/ui/screen/gui.h"
 
 namespace mes {
 

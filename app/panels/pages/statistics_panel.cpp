@@ -3,10 +3,10 @@
 
 #include <fmt/core.h>
 
-#include "app/layers/statistics_text.h"
-#include "app/ui/paragraph.h"
-#include "app/ui/theme.h"
-#include "app/ui/widgets.h"
+#include "app/layers/words/statistics_text.h"
+#include "app/ui/screen/theme.h"
+#include "app/ui/widgets/paragraph.h"
+#include "app/ui/widgets/widgets.h"
 #include "core/draw/variant.h"
 
 namespace mes {

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "app/picture/picture.h"
-#include "app/ui/frame_times.h"
-#include "app/ui/gui.h"
+#include "app/ui/screen/frame_times.h"
+#include "app/ui/screen/gui.h"
 
 namespace mes {
 

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <utility>
 
-#include "core/base/infinity.h"
+#include "core/base/geometry/infinity.h"
 
 namespace mes {
 namespace {

@@ -9,9 +9,9 @@
 #include <tuple>
 #include <utility>
 
-#include "core/base/box2.h"
-#include "core/base/box_tree.h"
-#include "core/base/parallel.h"
+#include "core/base/geometry/box2.h"
+#include "core/base/geometry/box_tree.h"
+#include "core/base/jobs/parallel.h"
 #include "core/curves/curve_bounds.h"
 #include "core/curves/nearest_place.h"
 

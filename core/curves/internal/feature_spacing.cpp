@@ -9,7 +9,6 @@
 #include <optional>
 #include <utility>
 
-#include "core/curves/finest_feature.h"
 #include "core/curves/internal/bend_spacing.h"
 
 namespace mes {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "core/base/job_control.h"
+#include "core/base/jobs/job_control.h"
 #include "core/curves/internal/spacing_field.h"
 #include "core/curves/internal/stretches.h"
 #include "core/curves/sampling.h"

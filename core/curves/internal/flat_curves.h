@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/base/box_tree.h"
+#include "core/base/geometry/box_tree.h"
 #include "core/curves/curve.h"
 
 namespace mes {

@@ -9,8 +9,8 @@
 #include <numeric>
 #include <utility>
 
-#include "core/base/box_tree.h"
-#include "core/base/parallel.h"
+#include "core/base/geometry/box_tree.h"
+#include "core/base/jobs/parallel.h"
 
 namespace mes {
 namespace {

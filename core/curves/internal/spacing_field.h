@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "core/base/job_control.h"
+#include "core/base/jobs/job_control.h"
 #include "core/curves/internal/stretches.h"
 
 namespace mes {

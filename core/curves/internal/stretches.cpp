@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/coordinate_range.h"
+#include "core/base/geometry/coordinate_range.h"
 
 namespace mes {
 namespace {
 
 constexpr double kCornerRounding = 1e-9;
-// A shorter piece is a point in every document (core/base/coordinate_range.h); its parts may not be representable.
+// A shorter piece is a point in every document (core/base/geometry/coordinate_range.h); its parts may not be representable.
 constexpr double kLeastLength = 0x1p-500;
 static_assert(kLeastExponent == -500);
 

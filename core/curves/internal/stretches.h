@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/base/job_control.h"
+#include "core/base/jobs/job_control.h"
 #include "core/curves/curve.h"
 #include "core/curves/internal/arc_length.h"
 #include "core/curves/sampling.h"

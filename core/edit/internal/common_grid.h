@@ -8,8 +8,8 @@
 #include <limits>
 #include <span>
 
-#include "core/base/coordinate_range.h"
-#include "core/base/vec2.h"
+#include "core/base/geometry/coordinate_range.h"
+#include "core/base/geometry/vec2.h"
 
 namespace mes {
 

@@ -6,7 +6,7 @@
 #include <span>
 
 #include "core/base/error.h"
-#include "core/base/vec2.h"
+#include "core/base/geometry/vec2.h"
 
 namespace mes {
 

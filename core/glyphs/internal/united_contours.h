@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "core/base/job_control.h"
+#include "core/base/jobs/job_control.h"
 #include "core/curves/curve.h"
 
 namespace mes {

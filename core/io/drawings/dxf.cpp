@@ -11,9 +11,9 @@
 #include <set>
 #include <utility>
 
-#include "core/base/box2.h"
-#include "core/curves/b_spline.h"
-#include "core/curves/cubic_interpolation.h"
+#include "core/base/geometry/box2.h"
+#include "core/curves/interpolation/b_spline.h"
+#include "core/curves/interpolation/cubic_interpolation.h"
 #include "core/curves/joined_ends.h"
 #include "core/io/curve_samples.h"
 #include "core/io/drawings/dxf_pairs.h"

@@ -10,7 +10,7 @@
 #include <optional>
 #include <utility>
 
-#include "core/curves/b_spline.h"
+#include "core/curves/interpolation/b_spline.h"
 #include "core/io/curve_samples.h"
 #include "core/io/format_spec.h"
 #include "core/io/text/text_numbers.h"

@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "core/base/coordinate_range.h"
+#include "core/base/geometry/coordinate_range.h"
 #include "core/io/format_spec.h"
 #include "core/io/maps/map_shapes.h"
 #include "core/io/session/json_text.h"

@@ -10,7 +10,7 @@
 #include <span>
 #include <utility>
 
-#include "core/base/box2.h"
+#include "core/base/geometry/box2.h"
 #include "core/curves/joined_ends.h"
 #include "core/curves/resolution.h"
 #include "core/io/curve_samples.h"

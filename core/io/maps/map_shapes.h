@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "core/base/vec2.h"
+#include "core/base/geometry/vec2.h"
 #include "core/curves/curve.h"
 #include "core/io/format.h"
 #include "core/io/systems/coordinate_system.h"

@@ -10,7 +10,7 @@
 #include <optional>
 #include <system_error>
 
-#include "core/base/coordinate_range.h"
+#include "core/base/geometry/coordinate_range.h"
 #include "core/base/lower_case.h"
 #include "core/io/files/read_file.h"
 #include "core/io/format_spec.h"

@@ -9,7 +9,7 @@
 #include <cstring>
 #include <optional>
 
-#include "core/base/coordinate_range.h"
+#include "core/base/geometry/coordinate_range.h"
 #include "core/io/format_spec.h"
 #include "core/io/maps/map_shapes.h"
 #include "core/io/text/line_end.h"

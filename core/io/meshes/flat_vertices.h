@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include "core/base/vec2.h"
+#include "core/base/geometry/vec2.h"
 
 namespace mes {
 

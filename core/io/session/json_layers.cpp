@@ -8,7 +8,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "core/base/coordinate_range.h"
+#include "core/base/geometry/coordinate_range.h"
 #include "core/io/session/json_color.h"
 #include "core/io/text/text_numbers.h"
 

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "core/base/error.h"
-#include "core/document/layer_configuration.h"
+#include "core/document/settings/layer_configuration.h"
 #include "core/io/session/json_view.h"
 
 namespace mes {

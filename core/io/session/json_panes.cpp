@@ -10,7 +10,7 @@
 #include <string_view>
 #include <utility>
 
-#include "core/base/coordinate_range.h"
+#include "core/base/geometry/coordinate_range.h"
 #include "core/io/session/json_layers.h"
 
 namespace mes {

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "core/base/box2.h"
-#include "core/document/pane_choice.h"
+#include "core/base/geometry/box2.h"
+#include "core/document/settings/pane_choice.h"
 #include "core/io/session/json_view.h"
 
 namespace mes {

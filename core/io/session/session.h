@@ -27,12 +27,12 @@
 #include <string_view>
 #include <vector>
 
-#include "core/base/box2.h"
 #include "core/base/error.h"
-#include "core/base/job_control.h"
-#include "core/document/lesson.h"
-#include "core/document/pane_choice.h"
-#include "core/document/timeline.h"
+#include "core/base/geometry/box2.h"
+#include "core/base/jobs/job_control.h"
+#include "core/document/settings/pane_choice.h"
+#include "core/document/timeline/lesson.h"
+#include "core/document/timeline/timeline.h"
 
 namespace mes {
 

@@ -6,7 +6,7 @@
 #include <map>
 #include <utility>
 
-#include "core/document/layer_fold.h"
+#include "core/document/timeline/layer_fold.h"
 #include "core/io/session/json_annotations.h"
 #include "core/io/session/json_curves.h"
 #include "core/io/session/json_layers.h"

@@ -16,9 +16,9 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/coordinate_range.h"
-#include "core/base/disk.h"
-#include "core/base/vec2.h"
+#include "core/base/geometry/coordinate_range.h"
+#include "core/base/geometry/disk.h"
+#include "core/base/geometry/vec2.h"
 #include "core/io/session/json_view.h"
 
 namespace mes {

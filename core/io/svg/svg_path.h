@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/base/job_control.h"
+#include "core/base/jobs/job_control.h"
 #include "core/curves/curve.h"
 
 namespace mes {

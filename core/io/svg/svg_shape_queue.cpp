@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/base/parallel.h"
+#include "core/base/jobs/parallel.h"
 #include "core/curves/curve_bounds.h"
 
 namespace mes {

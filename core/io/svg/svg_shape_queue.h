@@ -7,8 +7,8 @@
 #include <pugixml.hpp>
 #include <vector>
 
-#include "core/base/box2.h"
 #include "core/base/error.h"
+#include "core/base/geometry/box2.h"
 #include "core/io/svg/svg_context.h"
 #include "core/io/svg/svg_geometry.h"
 #include "core/io/text/read_job.h"

@@ -7,7 +7,7 @@
 #include <span>
 #include <utility>
 
-#include "core/base/box2.h"
+#include "core/base/geometry/box2.h"
 #include "core/io/systems/map_conversion.h"
 
 namespace mes {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "core/base/vec2.h"
+#include "core/base/geometry/vec2.h"
 #include "core/document/map_plane.h"
 #include "core/io/systems/coordinate_system.h"
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "core/base/vec2.h"
+#include "core/base/geometry/vec2.h"
 #include "core/io/text/read_job.h"
 #include "core/io/text/text_numbers.h"
 

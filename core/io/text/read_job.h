@@ -7,7 +7,7 @@
 #include <limits>
 #include <string_view>
 
-#include "core/base/job_control.h"
+#include "core/base/jobs/job_control.h"
 
 namespace mes {
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <string_view>
 
-#include "core/base/coordinate_range.h"
 #include "core/base/error.h"
+#include "core/base/geometry/coordinate_range.h"
 
 namespace mes {
 

@@ -2,7 +2,7 @@
 // Vectors of the plane over any ring, for predicates that evaluate one formula in several number types.
 #pragma once
 
-#include "core/base/vec2.h"
+#include "core/base/geometry/vec2.h"
 
 namespace mes {
 

@@ -13,13 +13,13 @@
 #include <mesecina/geometry.h>
 #include <mesecina/workbench.h>
 
-#include "core/base/disk.h"
 #include "core/base/error.h"
-#include "core/base/job_control.h"
+#include "core/base/geometry/disk.h"
+#include "core/base/geometry/vec2.h"
+#include "core/base/jobs/job_control.h"
 #include "core/base/slot.h"
-#include "core/base/vec2.h"
 #include "core/document/commands.h"
-#include "core/document/parameter.h"
+#include "core/document/settings/parameter.h"
 #include "core/graph/registry.h"
 
 namespace mesecina {

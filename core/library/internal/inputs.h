@@ -13,8 +13,8 @@
 
 #include <mesecina/experiment.h>
 
-#include "core/base/job_control.h"
-#include "core/document/parameter.h"
+#include "core/base/jobs/job_control.h"
+#include "core/document/settings/parameter.h"
 #include "core/graph/structure.h"
 #include "core/graph/table_columns.h"
 #include "core/library/internal/table_access.h"

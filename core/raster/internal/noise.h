@@ -2,7 +2,7 @@
 // Measures and reduces the noise of a picture. Private to core/raster.
 #pragma once
 
-#include "core/base/job_control.h"
+#include "core/base/jobs/job_control.h"
 #include "core/raster/gray_image.h"
 
 namespace mes {

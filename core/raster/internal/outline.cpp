@@ -9,9 +9,9 @@
 #include <span>
 #include <utility>
 
-#include "core/base/parallel.h"
-#include "core/raster/internal/ellipse_fit.h"
-#include "core/raster/internal/node_curve.h"
+#include "core/base/jobs/parallel.h"
+#include "core/raster/internal/fitting/ellipse_fit.h"
+#include "core/raster/internal/fitting/node_curve.h"
 #include "core/raster/internal/smoothing.h"
 #include "core/raster/trace.h"
 

@@ -2,15 +2,15 @@
 // Converts a contour of pixels to a curve. Private to core/raster.
 #pragma once
 
-#include "core/base/box2.h"
-#include "core/base/job_control.h"
+#include "core/base/geometry/box2.h"
+#include "core/base/jobs/job_control.h"
 #include "core/curves/curve.h"
 #include "core/raster/contours.h"
-#include "core/raster/internal/run_fit.h"
+#include "core/raster/internal/fitting/run_fit.h"
 
 namespace mes {
 
-/// The stiffest curve that the edges allow (core/raster/internal/run_fit.h), in cubic pieces with continuous tangents,
+/// The stiffest curve that the edges allow (core/raster/internal/fitting/run_fit.h), in cubic pieces with continuous tangents,
 /// each as long as its stiffness and its turn allow.
 ///
 /// A corner is a point that meets three conditions: a stiffness of two or four pixels does not fit, the direction turns

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/turn.h"
+#include "core/base/geometry/turn.h"
 #include "core/shapes/shape.h"
 
 namespace mes {

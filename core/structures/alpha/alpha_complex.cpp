@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/kernel/two_doubles.h"
+#include "core/kernel/numbers/two_doubles.h"
 
 namespace mes {
 

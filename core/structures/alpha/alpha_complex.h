@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
-#include "core/base/arc.h"
 #include "core/base/change_set.h"
+#include "core/base/geometry/arc.h"
 #include "core/structures/alpha/alpha_filtration.h"
 #include "core/structures/inputs/settings_source.h"
 

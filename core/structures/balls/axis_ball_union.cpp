@@ -8,7 +8,7 @@
 #include <numbers>
 #include <utility>
 
-#include "core/base/angle.h"
+#include "core/base/geometry/angle.h"
 #include "core/graph/explain.h"
 
 namespace mes {

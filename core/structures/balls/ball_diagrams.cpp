@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/structures/balls/ball_diagrams.h"
 
-#include "core/base/isolated.h"
+#include "core/base/jobs/isolated.h"
 #include "core/structures/balls/local_balls.h"
 #include "core/structures/balls/voronoi_balls.h"
 

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "core/base/disk.h"
-#include "core/base/vec2.h"
+#include "core/base/geometry/disk.h"
+#include "core/base/geometry/vec2.h"
 #include "core/structures/delaunay/delaunay.h"
 
 namespace mes {

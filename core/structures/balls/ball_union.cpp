@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "core/base/disjoint_sets.h"
-#include "core/base/isolated.h"
+#include "core/base/jobs/isolated.h"
 #include "core/structures/balls/internal/union_runs.h"
 #include "core/structures/balls/local_balls.h"
 #include "core/structures/balls/voronoi_balls.h"

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <utility>
 
-#include "core/base/angle.h"
+#include "core/base/geometry/angle.h"
 
 namespace mes {
 

@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "core/base/change_set.h"
-#include "core/structures/balls/ball_filtration.h"
+#include "core/structures/balls/internal/growth/ball_filtration.h"
 
 namespace mes {
 

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/base/parallel.h"
+#include "core/base/jobs/parallel.h"
 #include "core/kernel/circumcircle.h"
 #include "core/structures/triangulation/hilbert.h"
 

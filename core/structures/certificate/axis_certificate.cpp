@@ -5,7 +5,7 @@
 #include <atomic>
 #include <utility>
 
-#include "core/base/parallel.h"
+#include "core/base/jobs/parallel.h"
 
 namespace mes {
 

@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <utility>
 
-#include "core/base/parallel.h"
-#include "core/base/prefetch.h"
+#include "core/base/jobs/parallel.h"
+#include "core/base/jobs/prefetch.h"
 #include "core/structures/crust/internal/label_spread.h"
 #include "core/structures/crust/internal/spanning_tree.h"
 

@@ -5,8 +5,8 @@
 #include <atomic>
 #include <utility>
 
-#include "core/base/parallel.h"
-#include "core/base/prefetch.h"
+#include "core/base/jobs/parallel.h"
+#include "core/base/jobs/prefetch.h"
 
 namespace mes {
 

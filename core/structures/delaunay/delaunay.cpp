@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "core/base/quick_length.h"
+#include "core/base/geometry/quick_length.h"
 #include "core/structures/delaunay/internal/delaunay_mirror.h"
 
 namespace mes {

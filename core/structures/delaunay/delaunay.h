@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "core/base/change_set.h"
-#include "core/base/prefetch.h"
-#include "core/base/vec2.h"
+#include "core/base/geometry/vec2.h"
+#include "core/base/jobs/prefetch.h"
 #include "core/graph/structure.h"
 #include "core/structures/inputs/samples.h"
 

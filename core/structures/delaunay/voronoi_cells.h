@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "core/base/box2.h"
+#include "core/base/geometry/box2.h"
 #include "core/base/table.h"
 #include "core/structures/delaunay/delaunay.h"
 

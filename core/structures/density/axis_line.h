@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "core/base/box_tree.h"
+#include "core/base/geometry/box_tree.h"
 #include "core/structures/delaunay/delaunay.h"
 
 namespace mes {

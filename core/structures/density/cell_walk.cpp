@@ -9,9 +9,9 @@
 #include <span>
 #include <utility>
 
-#include "core/base/double_pair.h"
-#include "core/base/infinity.h"
-#include "core/base/parallel.h"
+#include "core/base/geometry/double_pair.h"
+#include "core/base/geometry/infinity.h"
+#include "core/base/jobs/parallel.h"
 
 namespace mes {
 namespace {

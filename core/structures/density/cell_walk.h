@@ -9,8 +9,8 @@
 #include <span>
 #include <vector>
 
-#include "core/base/box2.h"
-#include "core/base/job_control.h"
+#include "core/base/geometry/box2.h"
+#include "core/base/jobs/job_control.h"
 #include "core/structures/crust/one_step_crust.h"
 #include "core/structures/density/axis_line.h"
 

@@ -10,9 +10,9 @@
 #include <string>
 #include <utility>
 
-#include "core/base/coordinate_range.h"
-#include "core/base/infinity.h"
-#include "core/base/parallel.h"
+#include "core/base/geometry/coordinate_range.h"
+#include "core/base/geometry/infinity.h"
+#include "core/base/jobs/parallel.h"
 #include "core/kernel/corner_angle.h"
 #include "core/structures/density/cell_walk.h"
 

@@ -10,10 +10,10 @@
 #include <span>
 #include <vector>
 
-#include "core/base/box_tree.h"
 #include "core/base/change_set.h"
+#include "core/base/geometry/box_tree.h"
+#include "core/base/geometry/sampling_epsilon.h"
 #include "core/base/max_tree.h"
-#include "core/base/sampling_epsilon.h"
 #include "core/graph/structure.h"
 #include "core/structures/crust/one_step_crust.h"
 #include "core/structures/density/axis_line.h"

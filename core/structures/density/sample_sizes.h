@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "core/base/job_control.h"
-#include "core/base/vec2.h"
+#include "core/base/geometry/vec2.h"
+#include "core/base/jobs/job_control.h"
 
 namespace mes {
 

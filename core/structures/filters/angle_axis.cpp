@@ -8,8 +8,8 @@
 #include <numbers>
 #include <vector>
 
-#include "core/base/angle.h"
-#include "core/base/parallel.h"
+#include "core/base/geometry/angle.h"
+#include "core/base/jobs/parallel.h"
 
 namespace mes {
 

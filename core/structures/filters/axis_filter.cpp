@@ -7,7 +7,7 @@
 #include <span>
 
 #include "core/base/disjoint_sets.h"
-#include "core/base/parallel.h"
+#include "core/base/jobs/parallel.h"
 #include "core/base/sum.h"
 
 namespace mes {

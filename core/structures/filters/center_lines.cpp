@@ -10,9 +10,9 @@
 #include <unordered_map>
 #include <utility>
 
-#include "core/base/box_tree.h"
-#include "core/structures/filters/axis_paths.h"
-#include "core/structures/filters/branch_pruning.h"
+#include "core/base/geometry/box_tree.h"
+#include "core/structures/filters/paths/axis_paths.h"
+#include "core/structures/filters/paths/branch_pruning.h"
 
 namespace mes {
 namespace {

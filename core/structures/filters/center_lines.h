@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/job_control.h"
+#include "core/base/jobs/job_control.h"
 #include "core/structures/filters/axis_branches.h"
-#include "core/structures/filters/center_line.h"
+#include "core/structures/filters/paths/center_line.h"
 
 namespace mes {
 

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/base/disk.h"
-#include "core/base/parallel.h"
+#include "core/base/geometry/disk.h"
+#include "core/base/jobs/parallel.h"
 #include "core/structures/filters/internal/cover_search.h"
 
 namespace mes {

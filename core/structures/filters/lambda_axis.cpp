@@ -5,7 +5,7 @@
 #include <array>
 #include <optional>
 
-#include "core/base/infinity.h"
+#include "core/base/geometry/infinity.h"
 #include "core/kernel/edge_predicates.h"
 #include "core/kernel/enclosing_circle.h"
 

@@ -11,7 +11,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "core/base/vec2.h"
+#include "core/base/geometry/vec2.h"
 #include "core/kernel/corner_angle.h"
 #include "core/kernel/edge_predicates.h"
 

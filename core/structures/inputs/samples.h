@@ -5,8 +5,8 @@
 #include <memory>
 #include <vector>
 
-#include "core/base/box2.h"
 #include "core/base/change_set.h"
+#include "core/base/geometry/box2.h"
 #include "core/document/delta.h"
 #include "core/graph/source_structure.h"
 

@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "core/document/computation_settings.h"
+#include "core/document/settings/computation_settings.h"
 #include "core/graph/source_structure.h"
 
 namespace mes {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/base/change_set.h"
-#include "core/base/disk.h"
+#include "core/base/geometry/disk.h"
 #include "core/graph/source_structure.h"
 
 namespace mes {

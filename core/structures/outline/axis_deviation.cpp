@@ -9,8 +9,8 @@
 #include <string>
 #include <tuple>
 
-#include "core/base/box_tree.h"
-#include "core/base/parallel.h"
+#include "core/base/geometry/box_tree.h"
+#include "core/base/jobs/parallel.h"
 
 namespace mes {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "core/base/parabola_arc.h"
+#include "core/base/geometry/parabola_arc.h"
 #include "core/graph/explain.h"
 #include "core/structures/outline/internal/segment_voronoi.h"
 #include "core/structures/outline/outline_sides.h"

@@ -8,8 +8,8 @@
 #include <tuple>
 #include <utility>
 
-#include "core/base/box_tree.h"
 #include "core/base/error.h"
+#include "core/base/geometry/box_tree.h"
 #include "core/curves/curve_bounds.h"
 #include "core/kernel/point_predicates.h"
 

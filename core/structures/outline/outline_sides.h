@@ -17,8 +17,8 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/job_control.h"
-#include "core/base/vec2.h"
+#include "core/base/geometry/vec2.h"
+#include "core/base/jobs/job_control.h"
 #include "core/curves/curve.h"
 
 namespace mes {

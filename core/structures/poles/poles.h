@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/base/change_set.h"
-#include "core/base/disk.h"
+#include "core/base/geometry/disk.h"
 #include "core/graph/structure.h"
 #include "core/kernel/pole_predicates.h"
 #include "core/structures/crust/voronoi_vertices.h"

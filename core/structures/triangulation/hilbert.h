@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/box2.h"
+#include "core/base/geometry/box2.h"
 #include "core/base/rng.h"
 #include "core/base/slot.h"
 

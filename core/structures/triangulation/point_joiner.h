@@ -9,8 +9,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/base/job_control.h"
-#include "core/base/parallel.h"
+#include "core/base/jobs/job_control.h"
+#include "core/base/jobs/parallel.h"
 #include "core/kernel/ball_signs.h"
 #include "core/kernel/kernels.h"
 #include "core/structures/triangulation/point_triangulation.h"

@@ -5,7 +5,7 @@
 #include <bit>
 #include <cstdint>
 
-#include "core/base/parallel.h"
+#include "core/base/jobs/parallel.h"
 #include "core/kernel/kernels.h"
 #include "core/structures/triangulation/point_joiner.h"
 

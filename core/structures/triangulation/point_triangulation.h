@@ -10,7 +10,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/base/job_control.h"
+#include "core/base/jobs/job_control.h"
 #include "core/base/table.h"
 #include "core/kernel/ball_signs.h"
 #include "core/kernel/kernels.h"

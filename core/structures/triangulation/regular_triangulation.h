@@ -14,9 +14,9 @@
 #include <iterator>
 #include <vector>
 
-#include "core/base/box2.h"
-#include "core/base/job_control.h"
-#include "core/base/parallel.h"
+#include "core/base/geometry/box2.h"
+#include "core/base/jobs/job_control.h"
+#include "core/base/jobs/parallel.h"
 #include "core/kernel/ball_signs.h"
 #include "core/kernel/filtered_kernel.h"
 #include "core/structures/triangulation/ball_state.h"

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "core/base/vec2.h"
+#include "core/base/geometry/vec2.h"
 #include "render/figure/figure.h"
 
 namespace mes::figure {

@@ -4,7 +4,7 @@
 
 #include <cairo.h>
 
-#include "render/text.h"
+#include "render/image/text.h"
 
 namespace mes::figure {
 

@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "core/base/turn.h"
+#include "core/base/geometry/turn.h"
 #include "render/figure/internal/cairo_fonts.h"
 #include "render/figure/internal/chains.h"
 

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <string>
 
-#include "core/base/vec2.h"
+#include "core/base/geometry/vec2.h"
 
 namespace mes::figure {
 

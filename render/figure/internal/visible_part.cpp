@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/turn.h"
+#include "core/base/geometry/turn.h"
 
 namespace mes::figure {
 namespace {

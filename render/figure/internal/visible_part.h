@@ -7,8 +7,8 @@
 #include <optional>
 #include <vector>
 
-#include "core/base/box2.h"
-#include "core/base/vec2.h"
+#include "core/base/geometry/box2.h"
+#include "core/base/geometry/vec2.h"
 #include "render/figure/figure.h"
 
 namespace mes::figure {

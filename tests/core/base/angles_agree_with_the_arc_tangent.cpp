@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "core/base/angle.h"
+#include "core/base/geometry/angle.h"
 #include "core/base/rng.h"
 
 using namespace mes;

@@ -5,8 +5,8 @@
 #include <limits>
 #include <numbers>
 
-#include "core/base/arc.h"
-#include "core/base/quick_length.h"
+#include "core/base/geometry/arc.h"
+#include "core/base/geometry/quick_length.h"
 #include "core/base/rng.h"
 
 using namespace mes;

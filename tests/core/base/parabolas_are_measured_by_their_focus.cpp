@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/parabola_arc.h"
+#include "core/base/geometry/parabola_arc.h"
 #include "core/base/rng.h"
 
 using namespace mes;

@@ -4,7 +4,7 @@
 #include <atomic>
 #include <catch2/catch.hpp>
 
-#include "core/base/task_queue.h"
+#include "core/base/jobs/task_queue.h"
 
 using namespace mes;
 

@@ -7,8 +7,8 @@
 
 #include "core/base/rng.h"
 #include "core/document/commands.h"
-#include "core/document/history.h"
-#include "core/document/timeline.h"
+#include "core/document/timeline/history.h"
+#include "core/document/timeline/timeline.h"
 #include "core/kernel/circumcircle.h"
 
 using namespace mes;

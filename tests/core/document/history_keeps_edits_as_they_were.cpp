@@ -4,8 +4,8 @@
 #include <catch2/catch.hpp>
 
 #include "core/document/commands.h"
-#include "core/document/history.h"
-#include "core/document/timeline.h"
+#include "core/document/timeline/history.h"
+#include "core/document/timeline/timeline.h"
 
 using namespace mes;
 

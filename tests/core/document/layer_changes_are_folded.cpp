@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "core/base/rng.h"
-#include "core/document/layer_fold.h"
+#include "core/document/timeline/layer_fold.h"
 
 using namespace mes;
 

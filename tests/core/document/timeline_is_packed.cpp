@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "core/base/rng.h"
-#include "core/document/timeline.h"
+#include "core/document/timeline/timeline.h"
 
 using namespace mes;
 

@@ -4,7 +4,7 @@
 #include <random>
 
 #include "core/document/commands.h"
-#include "core/document/history.h"
+#include "core/document/timeline/history.h"
 
 using namespace mes;
 

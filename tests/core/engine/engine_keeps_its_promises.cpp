@@ -14,7 +14,7 @@
 #include "core/builtins/builtins.h"
 #include "core/engine/engine.h"
 #include "tests/support/builtin_layers.h"
-#include "tests/support/shapes_benchmark.h"
+#include "tests/support/shapes/shapes_benchmark.h"
 #include "tests/support/workbench.h"
 
 using namespace mes;

@@ -6,8 +6,8 @@
 
 #include "core/base/rng.h"
 #include "core/structures/delaunay/delaunay.h"
-#include "tests/support/shapes_benchmark.h"
-#include "tests/support/shapes_degenerate.h"
+#include "tests/support/shapes/shapes_benchmark.h"
+#include "tests/support/shapes/shapes_degenerate.h"
 #include "tests/support/workbench.h"
 
 using namespace mes;

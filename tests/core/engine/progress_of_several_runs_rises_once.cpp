@@ -7,9 +7,9 @@
 #include <numbers>
 #include <vector>
 
-#include "core/base/job_control.h"
+#include "core/base/jobs/job_control.h"
 #include "core/structures/balls/axis_ball_union.h"
-#include "tests/support/shapes.h"
+#include "tests/support/shapes/shapes.h"
 #include "tests/support/workbench.h"
 
 using namespace mes;

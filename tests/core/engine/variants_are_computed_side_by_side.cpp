@@ -18,7 +18,7 @@
 #include "core/structures/delaunay/delaunay.h"
 #include "tests/support/builtin_layers.h"
 #include "tests/support/layer_contents.h"
-#include "tests/support/shapes_benchmark.h"
+#include "tests/support/shapes/shapes_benchmark.h"
 
 using namespace mes;
 using namespace mes::test;

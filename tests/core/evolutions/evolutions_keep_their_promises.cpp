@@ -9,7 +9,7 @@
 #include "core/evolutions/evolution_run.h"
 #include "tests/support/bell.h"
 #include "tests/support/builtin_layers.h"
-#include "tests/support/shapes.h"
+#include "tests/support/shapes/shapes.h"
 
 using namespace mes;
 using namespace mes::test;

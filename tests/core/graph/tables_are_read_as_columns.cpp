@@ -17,7 +17,7 @@
 #include "core/structures/balls/ball_union.h"
 #include "core/structures/crust/curve.h"
 #include "core/structures/filters/lambda_axis.h"
-#include "tests/support/shapes.h"
+#include "tests/support/shapes/shapes.h"
 #include "tests/support/workbench.h"
 
 using namespace mes;

@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "core/structures/crust/curve.h"
-#include "tests/support/shapes.h"
+#include "tests/support/shapes/shapes.h"
 #include "tests/support/workbench.h"
 
 using namespace mes;

@@ -17,7 +17,7 @@
 #include "core/structures/density/feature_size.h"
 #include "tests/support/builtin_layers.h"
 #include "tests/support/exact_geometry.h"
-#include "tests/support/shapes_degenerate.h"
+#include "tests/support/shapes/shapes_degenerate.h"
 #include "tests/support/workbench.h"
 
 using namespace mes;

@@ -10,7 +10,7 @@
 #include "core/base/rng.h"
 #include "core/builtins/builtins.h"
 #include "core/document/commands.h"
-#include "core/document/history.h"
+#include "core/document/timeline/history.h"
 #include "core/draw/layer_mirror.h"
 #include "tests/support/builtin_layers.h"
 #include "tests/support/effort.h"

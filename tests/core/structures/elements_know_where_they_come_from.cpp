@@ -8,7 +8,7 @@
 #include "core/structures/axis/medial_axis.h"
 #include "core/structures/balls/ball_union.h"
 #include "tests/support/builtin_layers.h"
-#include "tests/support/shapes.h"
+#include "tests/support/shapes/shapes.h"
 #include "tests/support/workbench.h"
 
 using namespace mes;

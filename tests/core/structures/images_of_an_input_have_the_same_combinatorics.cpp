@@ -6,9 +6,9 @@
 #include <functional>
 
 #include "core/base/rng.h"
-#include "tests/support/shapes.h"
-#include "tests/support/shapes_benchmark.h"
-#include "tests/support/shapes_degenerate.h"
+#include "tests/support/shapes/shapes.h"
+#include "tests/support/shapes/shapes_benchmark.h"
+#include "tests/support/shapes/shapes_degenerate.h"
 #include "tests/support/workbench.h"
 
 using namespace mes;

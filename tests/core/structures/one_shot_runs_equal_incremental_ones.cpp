@@ -9,7 +9,7 @@
 #include "core/draw/layer_mirror.h"
 #include "core/engine/graph.h"
 #include "tests/support/builtin_layers.h"
-#include "tests/support/shapes_benchmark.h"
+#include "tests/support/shapes/shapes_benchmark.h"
 
 namespace mes {
 namespace {

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "tests/support/axis_picture.h"
-#include "tests/support/shapes.h"
+#include "tests/support/shapes/shapes.h"
 #include "tests/support/workbench.h"
 
 using namespace mes;

@@ -8,8 +8,8 @@
 
 #include "core/base/rng.h"
 #include "tests/support/builtin_layers.h"
-#include "tests/support/shapes_benchmark.h"
-#include "tests/support/shapes_degenerate.h"
+#include "tests/support/shapes/shapes_benchmark.h"
+#include "tests/support/shapes/shapes_degenerate.h"
 #include "tests/support/workbench.h"
 
 using namespace mes;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/store/color_maps.h"
+#include "app/store/looks/color_maps.h"
 #include "tests/fuzz/reader_checks.h"
 
 void mes::fuzz::run_color_map(std::string_view bytes) {

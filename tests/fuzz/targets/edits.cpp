@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Scripts of edits, undo, settings, layers and stopped runs: what the patches add up to is what a fresh computation
 // of the last state gives.
-#include "core/document/history.h"
+#include "core/document/timeline/history.h"
 #include "tests/fuzz/graph_run.h"
 #include "tests/fuzz/scene.h"
 #include "tests/support/builtin_layers.h"

@@ -4,8 +4,8 @@
 #include <span>
 
 #include "core/raster/trace.h"
-#include "render/picture_file.h"
-#include "render/png.h"
+#include "render/image/picture_file.h"
+#include "render/image/png.h"
 #include "tests/fuzz/reader_checks.h"
 
 namespace mes::fuzz {

@@ -8,10 +8,10 @@
 #include <limits>
 #include <numeric>
 
-#include "core/base/box2.h"
-#include "core/base/disk.h"
+#include "core/base/geometry/box2.h"
+#include "core/base/geometry/disk.h"
+#include "core/base/geometry/vec2.h"
 #include "core/base/power_of_two.h"
-#include "core/base/vec2.h"
 
 namespace mes {
 

@@ -4,8 +4,8 @@
 
 #include <span>
 
-#include "core/base/disk.h"
-#include "core/base/job_control.h"
+#include "core/base/geometry/disk.h"
+#include "core/base/jobs/job_control.h"
 #include "core/structures/balls/ball_family.h"
 #include "core/structures/balls/internal/local_frame.h"
 #include "core/structures/balls/internal/union_tables.h"

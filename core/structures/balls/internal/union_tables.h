@@ -10,9 +10,9 @@
 #include <optional>
 #include <vector>
 
-#include "core/base/arc.h"
+#include "core/base/geometry/arc.h"
+#include "core/base/geometry/vec2.h"
 #include "core/base/table.h"
-#include "core/base/vec2.h"
 #include "core/structures/balls/ball_family.h"
 #include "core/structures/triangulation/ball_state.h"
 

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/job_control.h"
+#include "core/base/jobs/job_control.h"
 #include "core/structures/crust/one_step_crust.h"
 
 namespace mes {

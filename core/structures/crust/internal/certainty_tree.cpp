@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "core/base/parallel.h"
+#include "core/base/jobs/parallel.h"
 
 namespace mes {
 

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/job_control.h"
-#include "core/base/prefetch.h"
+#include "core/base/jobs/job_control.h"
+#include "core/base/jobs/prefetch.h"
 #include "core/structures/crust/internal/certainty_order.h"
 #include "core/structures/crust/internal/link_cut_forest.h"
 

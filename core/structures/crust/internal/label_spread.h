@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/job_control.h"
-#include "core/base/parallel.h"
-#include "core/base/prefetch.h"
+#include "core/base/jobs/job_control.h"
+#include "core/base/jobs/parallel.h"
+#include "core/base/jobs/prefetch.h"
 #include "core/structures/delaunay/delaunay.h"
 
 namespace mes {

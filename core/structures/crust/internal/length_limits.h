@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/vec2.h"
+#include "core/base/geometry/vec2.h"
 #include "core/kernel/edge_predicates.h"
 
 namespace mes {

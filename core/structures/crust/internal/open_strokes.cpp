@@ -6,8 +6,8 @@
 #include <limits>
 #include <utility>
 
-#include "core/base/parallel.h"
-#include "core/base/prefetch.h"
+#include "core/base/jobs/parallel.h"
+#include "core/base/jobs/prefetch.h"
 #include "core/structures/crust/internal/length_limits.h"
 #include "core/structures/delaunay/sorted_ends.h"
 

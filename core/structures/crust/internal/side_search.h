@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/base/change_set.h"
-#include "core/base/job_control.h"
+#include "core/base/jobs/job_control.h"
 #include "core/structures/delaunay/delaunay.h"
 
 namespace mes {

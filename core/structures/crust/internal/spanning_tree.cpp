@@ -7,10 +7,10 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/box2.h"
 #include "core/base/disjoint_sets.h"
-#include "core/base/parallel.h"
-#include "core/base/prefetch.h"
+#include "core/base/geometry/box2.h"
+#include "core/base/jobs/parallel.h"
+#include "core/base/jobs/prefetch.h"
 
 namespace mes {
 

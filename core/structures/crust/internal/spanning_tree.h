@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "core/base/job_control.h"
+#include "core/base/jobs/job_control.h"
 #include "core/structures/crust/internal/certainty_order.h"
 
 namespace mes {

@@ -6,7 +6,7 @@
 #include <bit>
 #include <vector>
 
-#include "core/base/parallel.h"
+#include "core/base/jobs/parallel.h"
 #include "core/kernel/filtered_kernel.h"
 #include "core/structures/delaunay/delaunay.h"
 #include "core/structures/delaunay/internal/delaunay_rows.h"

@@ -11,9 +11,9 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/keep_memory.h"
-#include "core/base/parallel.h"
-#include "core/base/prefetch.h"
+#include "core/base/jobs/keep_memory.h"
+#include "core/base/jobs/parallel.h"
+#include "core/base/jobs/prefetch.h"
 #include "core/kernel/circumcircle.h"
 #include "core/structures/delaunay/delaunay.h"
 

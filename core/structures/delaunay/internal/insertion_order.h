@@ -6,7 +6,7 @@
 #include <bit>
 #include <vector>
 
-#include "core/base/box2.h"
+#include "core/base/geometry/box2.h"
 #include "core/structures/delaunay/internal/delaunay_stitch.h"
 #include "core/structures/triangulation/hilbert.h"
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "core/base/double_pair.h"
-#include "core/base/parallel.h"
+#include "core/base/geometry/double_pair.h"
+#include "core/base/jobs/parallel.h"
 
 namespace mes {
 namespace {

@@ -9,8 +9,8 @@
 #include <span>
 #include <vector>
 
-#include "core/base/disk.h"
-#include "core/base/job_control.h"
+#include "core/base/geometry/disk.h"
+#include "core/base/jobs/job_control.h"
 
 namespace mes {
 

@@ -16,8 +16,8 @@
 #include <unordered_map>
 #include <utility>
 
-#include "core/base/box2.h"
 #include "core/base/disjoint_sets.h"
+#include "core/base/geometry/box2.h"
 #include "core/structures/triangulation/hilbert.h"
 
 namespace mes {

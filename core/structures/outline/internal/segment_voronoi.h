@@ -4,7 +4,7 @@
 
 #include <span>
 
-#include "core/base/job_control.h"
+#include "core/base/jobs/job_control.h"
 #include "core/structures/outline/outline_graph.h"
 
 namespace mes {

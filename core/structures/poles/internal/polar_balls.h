@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/base/box2.h"
+#include "core/base/geometry/box2.h"
 #include "core/structures/balls/voronoi_balls.h"
 #include "core/structures/poles/poles.h"
 

@@ -15,7 +15,7 @@
 #include "core/structures/alpha/persistence.h"
 #include "tests/support/builtin_layers.h"
 #include "tests/support/matrix_reduction.h"
-#include "tests/support/shapes_degenerate.h"
+#include "tests/support/shapes/shapes_degenerate.h"
 #include "tests/support/workbench.h"
 
 using namespace mes;

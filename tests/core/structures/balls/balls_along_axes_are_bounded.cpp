@@ -16,7 +16,7 @@
 #include "core/structures/balls/axis_ball_union.h"
 #include "core/structures/balls/internal/sampling/ball_halving.h"
 #include "core/structures/balls/scale_axis.h"
-#include "tests/support/shapes.h"
+#include "tests/support/shapes/shapes.h"
 #include "tests/support/workbench.h"
 
 using namespace mes;

@@ -13,8 +13,8 @@
 #include "core/engine/graph.h"
 #include "core/structures/balls/ball_sampling.h"
 #include "tests/support/builtin_layers.h"
-#include "tests/support/shapes.h"
-#include "tests/support/shapes_benchmark.h"
+#include "tests/support/shapes/shapes.h"
+#include "tests/support/shapes/shapes_benchmark.h"
 #include "tests/support/workbench.h"
 
 using namespace mes;

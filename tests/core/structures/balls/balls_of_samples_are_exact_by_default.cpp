@@ -10,7 +10,7 @@
 
 #include "core/structures/balls/ball_union.h"
 #include "core/structures/poles/polar_union.h"
-#include "tests/support/shapes_benchmark.h"
+#include "tests/support/shapes/shapes_benchmark.h"
 #include "tests/support/workbench.h"
 
 using namespace mes;

@@ -7,7 +7,7 @@
 #include <deque>
 
 #include "core/base/rng.h"
-#include "core/kernel/root_sign.h"
+#include "core/kernel/numbers/root_sign.h"
 #include "core/structures/balls/internal/crossings/crossing_kernel.h"
 #include "core/structures/balls/internal/numbers/root_numbers.h"
 

@@ -16,7 +16,7 @@
 #include "core/structures/poles/polar_union.h"
 #include "tests/support/builtin_layers.h"
 #include "tests/support/matrix_reduction.h"
-#include "tests/support/shapes_degenerate.h"
+#include "tests/support/shapes/shapes_degenerate.h"
 #include "tests/support/workbench.h"
 
 using namespace mes;

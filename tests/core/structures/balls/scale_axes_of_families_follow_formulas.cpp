@@ -14,8 +14,8 @@
 #include "core/io/format.h"
 #include "core/structures/balls/axis_ball_union.h"
 #include "tests/support/builtin_layers.h"
-#include "tests/support/shapes.h"
-#include "tests/support/shapes_degenerate.h"
+#include "tests/support/shapes/shapes.h"
+#include "tests/support/shapes/shapes_degenerate.h"
 #include "tests/support/workbench.h"
 
 using namespace mes;

@@ -12,9 +12,9 @@
 #include "core/base/rng.h"
 #include "core/structures/balls/scale_axis.h"
 #include "tests/support/builtin_layers.h"
-#include "tests/support/shapes.h"
-#include "tests/support/shapes_benchmark.h"
-#include "tests/support/shapes_degenerate.h"
+#include "tests/support/shapes/shapes.h"
+#include "tests/support/shapes/shapes_benchmark.h"
+#include "tests/support/shapes/shapes_degenerate.h"
 #include "tests/support/workbench.h"
 
 using namespace mes;

@@ -10,7 +10,7 @@
 #include <string>
 #include <utility>
 
-#include "core/base/arc.h"
+#include "core/base/geometry/arc.h"
 #include "core/base/rng.h"
 #include "core/builtins/builtins.h"
 #include "core/document/commands.h"
@@ -20,8 +20,8 @@
 #include "core/structures/balls/ball_union.h"
 #include "core/structures/balls/precision_difference.h"
 #include "tests/support/builtin_layers.h"
-#include "tests/support/shapes.h"
-#include "tests/support/shapes_benchmark.h"
+#include "tests/support/shapes/shapes.h"
+#include "tests/support/shapes/shapes_benchmark.h"
 #include "tests/support/workbench.h"
 
 using namespace mes;

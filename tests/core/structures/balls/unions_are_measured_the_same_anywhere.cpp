@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "core/base/arc.h"
+#include "core/base/geometry/arc.h"
 #include "core/base/rng.h"
 #include "core/structures/balls/ball_union.h"
-#include "tests/support/shapes.h"
+#include "tests/support/shapes/shapes.h"
 #include "tests/support/workbench.h"
 
 using namespace mes;

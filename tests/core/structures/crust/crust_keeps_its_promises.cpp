@@ -10,9 +10,9 @@
 #include "core/structures/crust/one_step_crust.h"
 #include "tests/support/exact_geometry.h"
 #include "tests/support/grid_draws.h"
-#include "tests/support/shapes.h"
-#include "tests/support/shapes_benchmark.h"
-#include "tests/support/shapes_degenerate.h"
+#include "tests/support/shapes/shapes.h"
+#include "tests/support/shapes/shapes_benchmark.h"
+#include "tests/support/shapes/shapes_degenerate.h"
 #include "tests/support/workbench.h"
 
 using namespace mes;

@@ -14,8 +14,8 @@
 #include "core/structures/crust/labels.h"
 #include "tests/support/builtin_layers.h"
 #include "tests/support/grid_draws.h"
-#include "tests/support/shapes_benchmark.h"
-#include "tests/support/shapes_degenerate.h"
+#include "tests/support/shapes/shapes_benchmark.h"
+#include "tests/support/shapes/shapes_degenerate.h"
 #include "tests/support/workbench.h"
 
 using namespace mes;

@@ -11,8 +11,8 @@
 #include "core/base/rng.h"
 #include "core/kernel/kernels.h"
 #include "core/structures/delaunay/internal/delaunay_stitch.h"
-#include "tests/support/shapes_benchmark.h"
-#include "tests/support/shapes_degenerate.h"
+#include "tests/support/shapes/shapes_benchmark.h"
+#include "tests/support/shapes/shapes_degenerate.h"
 
 using namespace mes;
 using namespace mes::test;

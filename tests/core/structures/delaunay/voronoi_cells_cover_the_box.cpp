@@ -8,7 +8,7 @@
 
 #include "core/base/rng.h"
 #include "core/structures/delaunay/voronoi_cells.h"
-#include "tests/support/shapes_degenerate.h"
+#include "tests/support/shapes/shapes_degenerate.h"
 #include "tests/support/workbench.h"
 
 using namespace mes;

@@ -9,12 +9,12 @@
 #include <span>
 #include <vector>
 
-#include "core/base/box_tree.h"
+#include "core/base/geometry/box_tree.h"
 #include "core/base/rng.h"
 #include "core/structures/density/feature_size.h"
 #include "tests/support/builtin_layers.h"
-#include "tests/support/shapes.h"
-#include "tests/support/shapes_degenerate.h"
+#include "tests/support/shapes/shapes.h"
+#include "tests/support/shapes/shapes_degenerate.h"
 #include "tests/support/workbench.h"
 
 using namespace mes;

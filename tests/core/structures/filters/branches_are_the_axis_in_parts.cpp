@@ -9,8 +9,8 @@
 
 #include "core/base/rng.h"
 #include "core/structures/filters/axis_branches.h"
-#include "tests/support/shapes.h"
-#include "tests/support/shapes_degenerate.h"
+#include "tests/support/shapes/shapes.h"
+#include "tests/support/shapes/shapes_degenerate.h"
 #include "tests/support/workbench.h"
 
 using namespace mes;

@@ -12,7 +12,7 @@
 #include "core/structures/filters/center_lines.h"
 #include "core/workbench/workbench.h"
 #include "tests/support/pi.h"
-#include "tests/support/shapes.h"
+#include "tests/support/shapes/shapes.h"
 #include "tests/support/workbench.h"
 
 using namespace mes;

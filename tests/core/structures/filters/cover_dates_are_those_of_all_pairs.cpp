@@ -12,8 +12,8 @@
 #include "core/base/rng.h"
 #include "core/structures/filters/cover_dates.h"
 #include "core/structures/filters/internal/cover_search.h"
-#include "tests/support/shapes.h"
-#include "tests/support/shapes_degenerate.h"
+#include "tests/support/shapes/shapes.h"
+#include "tests/support/shapes/shapes_degenerate.h"
 #include "tests/support/workbench.h"
 
 using namespace mes;

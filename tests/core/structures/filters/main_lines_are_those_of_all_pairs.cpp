@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "core/base/rng.h"
-#include "core/structures/filters/axis_paths.h"
-#include "core/structures/filters/branch_pruning.h"
+#include "core/structures/filters/paths/axis_paths.h"
+#include "core/structures/filters/paths/branch_pruning.h"
 #include "tests/support/effort.h"
 
 using namespace mes;

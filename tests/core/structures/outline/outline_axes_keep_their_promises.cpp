@@ -14,7 +14,7 @@
 #include <tuple>
 #include <vector>
 
-#include "core/base/parabola_arc.h"
+#include "core/base/geometry/parabola_arc.h"
 #include "core/base/rng.h"
 #include "core/draw/primitive_values.h"
 #include "core/structures/outline/axis_deviation.h"

@@ -13,7 +13,7 @@
 #include "core/structures/crust/curve.h"
 #include "core/structures/poles/polar_diagram.h"
 #include "tests/support/builtin_layers.h"
-#include "tests/support/shapes.h"
+#include "tests/support/shapes/shapes.h"
 #include "tests/support/workbench.h"
 
 using namespace mes;

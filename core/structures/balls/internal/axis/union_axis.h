@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/job_control.h"
+#include "core/base/jobs/job_control.h"
 #include "core/base/sum.h"
 #include "core/kernel/circumcircle.h"
 #include "core/structures/balls/internal/axis/edge_cuts.h"

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/base/job_control.h"
+#include "core/base/jobs/job_control.h"
 #include "core/structures/balls/internal/crossings/union_v_triangulation.h"
 #include "core/structures/balls/internal/numbers/union_balls.h"
 #include "core/structures/balls/internal/union_runs.h"

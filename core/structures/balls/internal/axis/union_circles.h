@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/arc.h"
 #include "core/base/error.h"
-#include "core/base/job_control.h"
+#include "core/base/geometry/arc.h"
+#include "core/base/jobs/job_control.h"
 #include "core/structures/balls/internal/axis/union_centers.h"
 #include "core/structures/balls/internal/complex/union_complex.h"
 #include "core/structures/balls/internal/complex/union_triangulation.h"

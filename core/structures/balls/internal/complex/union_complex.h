@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/base/job_control.h"
+#include "core/base/jobs/job_control.h"
 #include "core/structures/balls/internal/complex/union_triangulation.h"
 #include "core/structures/balls/internal/numbers/union_balls.h"
 #include "core/structures/balls/internal/union_tables.h"

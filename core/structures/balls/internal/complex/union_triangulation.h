@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/job_control.h"
+#include "core/base/jobs/job_control.h"
 #include "core/structures/balls/internal/numbers/union_balls.h"
 #include "core/structures/triangulation/regular_triangulation.h"
 

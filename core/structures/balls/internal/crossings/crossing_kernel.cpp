@@ -10,7 +10,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "core/kernel/root_sign.h"
+#include "core/kernel/numbers/root_sign.h"
 
 namespace mes {
 namespace {

@@ -21,10 +21,10 @@
 #include <memory>
 #include <vector>
 
-#include "core/base/vec2.h"
-#include "core/kernel/big_interval.h"
+#include "core/base/geometry/vec2.h"
 #include "core/kernel/kernels.h"
-#include "core/kernel/two_doubles.h"
+#include "core/kernel/numbers/big_interval.h"
+#include "core/kernel/numbers/two_doubles.h"
 #include "core/structures/balls/internal/local_frame.h"
 #include "core/structures/balls/internal/numbers/union_numbers.h"
 #include "core/structures/balls/internal/union_runs.h"

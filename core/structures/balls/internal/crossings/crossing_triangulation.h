@@ -2,7 +2,7 @@
 // The Delaunay triangulation of crossings of circles.
 #pragma once
 
-#include "core/base/job_control.h"
+#include "core/base/jobs/job_control.h"
 #include "core/structures/balls/internal/crossings/crossing_kernel.h"
 #include "core/structures/triangulation/point_triangulation.h"
 

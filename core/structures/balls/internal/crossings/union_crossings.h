@@ -17,7 +17,7 @@
 
 #include "core/base/assert.h"
 #include "core/base/disjoint_sets.h"
-#include "core/base/job_control.h"
+#include "core/base/jobs/job_control.h"
 #include "core/structures/balls/internal/complex/union_complex.h"
 #include "core/structures/balls/internal/complex/union_triangulation.h"
 #include "core/structures/balls/internal/crossings/crossing_kernel.h"

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/box2.h"
+#include "core/base/geometry/box2.h"
 #include "core/structures/balls/internal/crossings/union_crossings.h"
 #include "core/structures/balls/internal/numbers/number_parts.h"
 #include "core/structures/balls/internal/union_tables.h"

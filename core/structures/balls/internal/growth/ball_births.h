@@ -7,9 +7,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/base/job_control.h"
+#include "core/base/geometry/vec2.h"
+#include "core/base/jobs/job_control.h"
 #include "core/base/table.h"
-#include "core/base/vec2.h"
 #include "core/structures/balls/internal/growth/radical_axis.h"
 #include "core/structures/balls/internal/union_runs.h"
 

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <type_traits>
 
-#include "core/base/parallel.h"
+#include "core/base/jobs/parallel.h"
 
 namespace mes {
 

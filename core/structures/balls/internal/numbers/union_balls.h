@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "core/base/vec2.h"
+#include "core/base/geometry/vec2.h"
 #include "core/structures/balls/internal/local_frame.h"
 #include "core/structures/balls/internal/numbers/number_parts.h"
 #include "core/structures/balls/internal/numbers/union_numbers.h"

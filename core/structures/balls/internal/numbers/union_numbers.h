@@ -6,8 +6,8 @@
 #include <cmath>
 #include <type_traits>
 
+#include "core/base/geometry/vec2.h"
 #include "core/base/power_of_two.h"
-#include "core/base/vec2.h"
 #include "core/kernel/ball_signs.h"
 #include "core/kernel/kernels.h"
 #include "core/kernel/rounding.h"

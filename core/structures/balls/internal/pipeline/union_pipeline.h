@@ -27,7 +27,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/job_control.h"
+#include "core/base/jobs/job_control.h"
 #include "core/structures/balls/internal/axis/edge_cuts.h"
 #include "core/structures/balls/internal/axis/union_axis.h"
 #include "core/structures/balls/internal/axis/union_centers.h"

@@ -10,8 +10,8 @@
 #include <string_view>
 #include <vector>
 
-#include "core/base/disk.h"
-#include "core/base/finding.h"
+#include "core/base/geometry/disk.h"
+#include "core/base/geometry/finding.h"
 
 namespace mes {
 

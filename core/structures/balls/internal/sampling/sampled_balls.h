@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/base/change_set.h"
-#include "core/base/disk.h"
+#include "core/base/geometry/disk.h"
 
 namespace mes {
 

@@ -1,0 +1,349 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// `mesecina centerline`: the centre line of each shape, or stations along it with widths.
+#include <fmt/core.h>
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "app/cli/commands/commands.h"
+#include "app/cli/console/messages.h"
+#include "app/cli/console/output.h"
+#include "app/cli/console/progress.h"
+#include "app/cli/requests/feature_list.h"
+#include "app/cli/requests/input.h"
+#include "app/cli/requests/names.h"
+#include "app/insight/center_line_run.h"
+#include "app/store/texts/center_line_text.h"
+#include "core/base/jobs/parallel.h"
+#include "core/base/lower_case.h"
+#include "core/graph/registry.h"
+#include "core/io/systems/map_conversion.h"
+#include "core/io/text/text_numbers.h"
+
+namespace mes::cli {
+namespace {
+
+constexpr std::uint64_t kMostBranches = 100'000;
+constexpr double kMostStations = 1e7;
+const std::string kStationColumns = "shape,line,station,x,y,width,left_x,left_y,right_x,right_y,direction\n";
+
+/// The parsed options of the command.
+struct CenterlineJob {
+  CenterLineWish wish{};
+  std::optional<std::pair<Vec2, Vec2>> between{};  ///< in the coordinates of the file
+  double every = 0.0;                              ///< 0: the lines themselves
+  const LineTextFormat* format = nullptr;
+};
+
+/// Everything that will be written, with counts for the summary.
+struct CenterlineResult {
+  std::vector<TextLine> lines{};
+  std::string table{};  ///< of stations
+  std::size_t stations = 0;
+  CenterLineTotals totals{};
+  std::optional<MapPlane> map{};  ///< of the last lines; all have the same unit
+};
+
+Expected<Vec2> parse_place(const std::string& text) {
+  const std::vector<std::string_view> parts = split_list(text);
+  if (parts.size() == 2) {
+    const auto x = parse_number(parts[0]);
+    const auto y = parse_number(parts[1]);
+    if (x && y) return Vec2{*x, *y};
+  }
+  return usage_error("--between expects two points X,Y, not " + in_quotes(text));
+}
+
+Expected<double> parse_length(std::string_view option, std::string_view text, bool may_be_zero) {
+  const auto value = parse_number(text);
+  if (value && (*value > 0.0 || (may_be_zero && *value == 0.0))) return *value;
+  return usage_error(fmt::format("{} expects a {}, not {}", option,
+                                 may_be_zero ? "length or a percentage of 0 or more" : "length above 0",
+                                 in_quotes(text)));
+}
+
+Expected<SmoothingTolerance> parse_smooth(std::string_view text) {
+  const bool is_share = text.ends_with('%');
+  const auto value = parse_length("--smooth", is_share ? text.substr(0, text.size() - 1) : text, true);
+  if (!value) return std::unexpected(value.error());
+  return is_share ? SmoothingTolerance{.length = 0.0, .share = 0.01 * *value}
+                  : SmoothingTolerance{.length = *value, .share = 0.0};
+}
+
+Expected<const LineTextFormat*> centerline_format(const CenterlineRequest& request) {
+  std::string name = request.format;
+  if (name.empty() && !is_standard_output(request.output)) {
+    const std::string extension = lower_case_extension(request.output);
+    name = extension == ".json" ? "geojson" : extension.substr(std::min<std::size_t>(1, extension.size()));
+    if (find_line_text_format(name) == nullptr)
+      return usage_error(
+          fmt::format("the name of the output tells no format; --format expects {}", one_of(centerline_formats())));
+  }
+  if (name.empty()) name = "geojson";
+  if (const LineTextFormat* const format = find_line_text_format(name)) return format;
+  return usage_error(fmt::format("--format expects {}, not {}", one_of(centerline_formats()), in_quotes(name)));
+}
+
+Expected<CenterlineJob> centerline_job(const CenterlineRequest& request) {
+  CenterlineJob out;
+  const auto prune = parse_number(request.prune);
+  if (!prune || *prune < 0.0)
+    return usage_error("--prune expects a number of 0 or more, not " + in_quotes(request.prune));
+  out.wish.request.least_salience = *prune;
+  const auto tolerance = parse_smooth(request.smooth);
+  if (!tolerance) return std::unexpected(tolerance.error());
+  out.wish.tolerance = *tolerance;
+  out.wish.is_extended = request.is_extended;
+  const auto branches = whole_number("--branches", request.branches, 1, kMostBranches);
+  if (!branches) return std::unexpected(branches.error());
+  out.wish.request.most = static_cast<std::size_t>(*branches);
+  if (!request.between.empty()) {
+    const auto from = parse_place(request.between.front());
+    if (!from) return std::unexpected(from.error());
+    const auto to = parse_place(request.between.back());
+    if (!to) return std::unexpected(to.error());
+    out.between = {*from, *to};
+    if (*branches != 1) return usage_error("--between asks for one line, and --branches for more");
+    if (request.are_features_apart) return usage_error("--between asks for one line, and --each for one a feature");
+  }
+  if (!request.every.empty()) {
+    const auto every = parse_length("--every", request.every, false);
+    if (!every) return std::unexpected(every.error());
+    out.every = *every;
+    if (request.is_extended)
+      return usage_error("--every measures the balls of the axis, and --extend goes beyond them");
+  }
+  const auto format = centerline_format(request);
+  if (!format) return std::unexpected(format.error());
+  out.format = *format;
+  constexpr std::array<std::string_view, 5> kOfFeatures{"", "geojson", "shapefile", "geopackage", "flatgeobuf"};
+  if (request.are_features_apart && std::ranges::find(kOfFeatures, request.from) == kOfFeatures.end())
+    return usage_error("--each reads features of " + one_of(std::span(kOfFeatures).subspan(1)) + ", not " +
+                       in_quotes(request.from));
+  if (out.format->name == "dxf-3d" && (request.is_extended || !request.every.empty()))
+    return usage_error("dxf-3d has the radii along the lines; it goes with neither --extend nor --every");
+  if (request.are_features_apart && !out.format->is_of_features)
+    return usage_error(
+        fmt::format("--each writes properties, which {} cannot hold; geojson, gpkg and fgb can", out.format->name));
+  return out;
+}
+
+/// Positions of a map are in its coordinate system; lengths and the direction are those of the plane.
+void add_station_rows(std::string& table, std::size_t shape, std::size_t line, const std::vector<Station>& stations,
+                      const std::optional<MapConversion>& conversion) {
+  for (const Station& at : stations) {
+    table += fmt::format("{},{}", shape, line);
+    std::array places{at.place, at.left, at.right};
+    if (conversion) conversion->from_plane(places);
+    const auto& [place, left, right] = places;
+    for (const double x : {at.along, place.x, place.y, at.width, left.x, left.y, right.x, right.y, at.direction})
+      append_number(table += ',', x);
+    table += '\n';
+  }
+}
+
+/// Numbers whose names the feature uses itself get a prefix.
+void add_numbers(TextLine& line, const Feature& feature, std::vector<std::pair<std::string, double>> numbers) {
+  for (auto& [name, value] : numbers) {
+    while (std::ranges::find(feature.keys, name) != feature.keys.end()) name.insert(0, "centerline_");
+    line.numbers.emplace_back(std::move(name), value);
+  }
+  line.id = feature.id;
+  line.properties = feature.properties;
+}
+
+Expected<void> add_lines(const CenterlineJob& job, const CenterLines& found, const std::optional<MapPlane>& map,
+                         const Feature& feature, CenterlineResult& out) {
+  std::optional<MapConversion> to_system;
+  if (map && job.every > 0.0 && job.format->name == "csv") {
+    auto conversion = MapConversion::of(*map, MapTarget::own_system);
+    if (!conversion) return std::unexpected(conversion.error());
+    to_system = *std::move(conversion);
+  }
+  if (map && out.map && map->plane_unit() != out.map->plane_unit())
+    return std::unexpected(Error{ErrorCode::bad_input, fmt::format("its lengths are in {}, and those before it in {}",
+                                                                   map->plane_unit(), out.map->plane_unit())});
+  out.totals.add(found);
+  if (map) out.map = map;
+  for (const CenterLine& line : found.lines) {
+    if (job.every == 0.0) {
+      TextLine whole = text_line_of(line, map);
+      add_numbers(whole, feature, std::exchange(whole.numbers, {}));
+      out.lines.push_back(std::move(whole));
+      continue;
+    }
+    const double length = length_of(line);
+    if (static_cast<double>(out.stations) + length / job.every > kMostStations)
+      return usage_error(fmt::format("--every {:g} asks for more than {:g} stations", job.every, kMostStations));
+    const std::vector<Station> stations = stations_of(line, job.every);
+    out.stations += stations.size();
+    if (job.format->name == "csv") {
+      add_station_rows(out.table, line.shape + 1, line.rank + 1, stations, to_system);
+      continue;
+    }
+    for (const Station& at : stations) {
+      TextLine& text = out.lines.emplace_back();
+      text.points = {at.left, at.axis, at.right};
+      text.map = map;
+      add_numbers(text, feature,
+                  {{"shape", static_cast<double>(line.shape + 1)},
+                   {"line", static_cast<double>(line.rank + 1)},
+                   {"station", at.along},
+                   {"width", at.width},
+                   {"direction", at.direction}});
+    }
+  }
+  return {};
+}
+
+/// The lines of one set of outlines, on the plane of their map.
+struct FoundLines {
+  CenterLines lines{};
+  std::optional<MapPlane> map{};
+  std::string remark{};  ///< on the samples; may be empty
+};
+
+std::unexpected<Error> in_file(Error error, const std::string& name) {
+  if (error.file.empty() && error.code != ErrorCode::usage) error.file = name;
+  return std::unexpected(std::move(error));
+}
+
+/// Samples and computes. `on_task` is called with the id of each structure before it begins.
+Expected<FoundLines> find_lines(const Registry& registry, const CenterlineJob& job, const SampleData& data,
+                                bool keeps_samples, const std::string& name,
+                                const std::function<void(std::string_view)>& on_task) {
+  if (data.positions.empty()) return in_file({ErrorCode::bad_input, "there are no samples and no curves"}, name);
+  JobControl control;
+  FoundLines out;
+  const Expected<SampleData> chosen =
+      keeps_samples ? Expected<SampleData>(data) : samples_for_center_lines(data, control, out.remark);
+  if (!chosen) return in_file(chosen.error(), name);
+  const SampleData& samples = *chosen;
+  CenterLineWish wish = job.wish;
+  if (job.between) {
+    wish.request.between = job.between;
+    if (data.map) {
+      const auto to_system = MapConversion::of(*data.map, MapTarget::own_system);
+      if (!to_system) return in_file(to_system.error(), name);
+      wish.request.between = {to_system->to_plane(job.between->first), to_system->to_plane(job.between->second)};
+      for (const Vec2 end : {wish.request.between->first, wish.request.between->second})
+        if (!is_finite(end)) return in_file({ErrorCode::usage, "--between has a point that is not on the map"}, name);
+    }
+  }
+  auto found = compute_center_lines(registry, samples, wish, control, on_task);
+  if (!found) return in_file(found.error(), name);
+  out.lines = *std::move(found);
+  out.map = samples.map;
+  return out;
+}
+
+/// Adds lines to the result. `found` may be an error, which is then returned.
+Expected<void> take_lines(const CenterlineJob& job, const Expected<FoundLines>& found, const std::string& name,
+                          const Feature& feature, CenterlineResult& out) {
+  if (!found) return std::unexpected(found.error());
+  if (!found->remark.empty()) say(name + ": " + found->remark);
+  if (auto done = add_lines(job, found->lines, found->map, feature, out); !done) return in_file(done.error(), name);
+  return {};
+}
+
+/// Each feature by itself, on all cores, with lines and messages in the order of the features. Error: no feature has a
+/// line.
+Expected<void> process_features(const Registry& registry, const CenterlineRequest& request, const CenterlineJob& job,
+                                const FeatureList& list, Progress& progress, CenterlineResult& out) {
+  std::vector<Expected<FoundLines>> found(list.features.size());
+  std::mutex progress_mutex;
+  std::size_t finished = 0;
+  run_tasks(list.features.size(), [&](std::size_t i) {
+    const Feature& feature = list.features[i];
+    const auto loaded = read_input_bytes(registry, feature.text, feature.name, "geojson", request.reading);
+    if (loaded) {
+      found[i] = find_lines(registry, job, loaded->data, request.reading.keeps_vertices, feature.name, {});
+    } else {
+      // Lines and columns would be those of the feature alone.
+      Error error = loaded.error();
+      error.line = error.column = 0;
+      found[i] = std::unexpected(std::move(error));
+    }
+    const std::lock_guard lock(progress_mutex);
+    progress.show("features", static_cast<double>(++finished) / static_cast<double>(found.size()));
+  });
+  const auto lies_on_earth = [](const Expected<FoundLines>& lines) {
+    return lines && lines->map && is_on_earth(*lines->map);
+  };
+  const bool is_map = std::ranges::any_of(found, lies_on_earth);
+  std::optional<Error> first;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const Feature& feature = list.features[i];
+    // Numbers that are no degrees are read as positions in a plane.
+    if (is_map && found[i] && !lies_on_earth(found[i]))
+      found[i] = std::unexpected(
+          Error{ErrorCode::bad_input, "its positions are not on the Earth, where other features are", feature.name});
+    const auto done = take_lines(job, found[i], feature.name, feature, out);
+    found[i] = FoundLines{};
+    if (done) continue;
+    if (done.error().code == ErrorCode::usage) return done;
+    say(done.error().message());
+    if (!first) first = done.error();
+  }
+  if (out.totals.lines != 0) return {};
+  return std::unexpected(
+      Error{first ? first->code : ErrorCode::bad_input, "no feature has a centre line", request.file});
+}
+
+}  // namespace
+
+std::span<const std::string_view> centerline_formats() {
+  static const std::vector<std::string_view> names = [] {
+    std::vector<std::string_view> out;
+    for (const LineTextFormat& format : line_text_formats()) out.push_back(format.name);
+    return out;
+  }();
+  return names;
+}
+
+Expected<void> run_centerline(const Registry& registry, const CenterlineRequest& request,
+                              Interruption& interruption) {
+  const auto job = centerline_job(request);
+  if (!job) return std::unexpected(job.error());
+  if (auto good = check_output(request.output); !good) return good;
+  CenterlineResult result;
+  std::vector<SourceFile> sources;
+  {
+    Progress progress;
+    if (request.are_features_apart) {
+      const auto list = read_features(request.file);
+      if (!list) return std::unexpected(list.error());
+      sources = list->sources;
+      if (auto done = process_features(registry, request, *job, *list, progress, result); !done) return done;
+    } else {
+      const auto input = read_input(registry, request.file, request.from, request.reading);
+      if (!input) return std::unexpected(input.error());
+      sources = input->sources;
+      // The user of a session has chosen its samples, so they stay.
+      const bool keeps_samples = request.reading.keeps_vertices || input->session != nullptr;
+      const auto ids = registry.structures();
+      progress.show("sampling", 0.0);
+      const auto found =
+          find_lines(registry, *job, input->data, keeps_samples, request.file, [&](std::string_view task) {
+            const auto at = std::ranges::find(ids, task) - ids.begin();
+            progress.show(task, static_cast<double>(at) / static_cast<double>(ids.size()));
+          });
+      if (auto done = take_lines(*job, found, request.file, Feature{}, result); !done) return done;
+    }
+  }
+  const bool is_table = job->every > 0.0 && job->format->name == "csv";
+  const auto text =
+      is_table ? Expected<LineText>(LineText{kStationColumns + result.table}) : job->format->write(result.lines);
+  if (!text) return std::unexpected(text.error());
+  auto done = write_output(request.output, text->text, interruption, {sources, request.force});
+  if (done) say(result.totals.text(result.map, text->off_earth, result.stations));
+  return done;
+}
+
+}  // namespace mes::cli

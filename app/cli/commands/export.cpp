@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// `mesecina export`: the geometry of layers as text.
+#include <fmt/core.h>
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "app/cli/commands/commands.h"
+#include "app/cli/console/messages.h"
+#include "app/cli/console/output.h"
+#include "app/cli/console/progress.h"
+#include "app/cli/requests/names.h"
+#include "app/cli/requests/session_settings.h"
+#include "app/export/cell_export.h"
+#include "app/export/geometry_export.h"
+#include "app/store/texts/layer_text.h"
+#include "core/graph/registry.h"
+#include "core/io/text/text_numbers.h"
+
+namespace mes::cli {
+namespace {
+
+Expected<const LayerTextFormat*> select_format(const std::string& name) {
+  if (const LayerTextFormat* const format = find_layer_text_format(name)) return format;
+  return usage_error(
+      fmt::format("unknown export format {}; it is one of {}", in_quotes(name), one_of(export_formats())));
+}
+
+// Removes the progress line before it returns.
+Expected<LayerText> compute_text(const Registry& registry, const SampleData& data, const LayerTextFormat& format,
+                                 const std::vector<LayerIndex>& layers, const ComputationSettings& settings) {
+  Progress progress;
+  return compute_layer_text(
+      registry, data, format,
+      {.layers = main_layers(layers),
+       .settings = settings,
+       .on_patch = {},
+       .on_progress = [&progress](std::string_view task, double fraction) { progress.show(task, fraction); }});
+}
+
+}  // namespace
+
+std::span<const std::string_view> export_formats() {
+  static const std::vector<std::string_view> names = [] {
+    std::vector<std::string_view> out;
+    for (const LayerTextFormat& format : layer_text_formats()) out.push_back(format.name);
+    return out;
+  }();
+  return names;
+}
+
+Expected<void> run_export(const Registry& registry, const ExportRequest& request, Interruption& interruption) {
+  if (!request.cells.empty()) return run_cell_export(registry, request, interruption);
+  if (!request.structure.empty() || !request.table.empty()) return run_table_export(registry, request, interruption);
+  if (request.layer.empty())
+    return usage_error(
+        "export needs --layer (mesecina list layers), --structure (mesecina list structures) or --cells");
+  const auto format = select_format(request.format);
+  if (!format) return std::unexpected(format.error());
+  const auto layers = select_layers(registry, request.layer);
+  if (!layers) return std::unexpected(layers.error());
+  if (auto good = check_layers(registry.layers(), **format, *layers); !good) return good;
+  if (auto good = check_output(request.output); !good) return good;
+  const auto input = read_source(registry, request.source);
+  if (!input) return std::unexpected(input.error());
+
+  const auto out = compute_text(registry, input->file.data, **format, *layers, input->settings);
+  if (!out) return std::unexpected(out.error());
+  if (const std::string remark = remark_about(*out, **format); !remark.empty()) say(remark);
+  return write_output(request.output, out->text, interruption, {input->file.sources, request.force});
+}
+
+Expected<void> run_cell_export(const Registry& registry, const ExportRequest& request, Interruption& interruption) {
+  if (!request.layer.empty() || !request.structure.empty() || !request.table.empty())
+    return usage_error("export takes --layer, --structure or --cells, one of them");
+  constexpr std::array<std::string_view, 3> kRegions{"box", "hull", "outline"};
+  const auto region = std::ranges::find(kRegions, request.cells);
+  if (region == kRegions.end())
+    return usage_error("--cells expects " + one_of(kRegions) + ", not " + in_quotes(request.cells));
+  if (std::ranges::find(cell_formats(), request.format) == cell_formats().end())
+    return usage_error("cells are written as " + one_of(cell_formats()) + ", not " + in_quotes(request.format));
+  if (auto good = check_output(request.output); !good) return good;
+  const auto input = read_source(registry, request.source);
+  if (!input) return std::unexpected(input.error());
+
+  Expected<CellText> out;
+  {
+    Progress progress;
+    JobControl job;
+    out = compute_cell_text(registry, input->file.data, static_cast<CellRegion>(region - kRegions.begin()),
+                            request.format, job, [&](std::string_view task) { progress.show(task, 0.0); });
+  }
+  if (!out) return std::unexpected(out.error());
+  if (out->off_earth != 0)
+    say(fmt::format("{} left out that {} beyond the poles or around the Earth",
+                    out->off_earth == 1 ? "1 cell is" : fmt::format("{} cells are", out->off_earth),
+                    out->off_earth == 1 ? "reaches" : "reach"));
+  return write_output(request.output, out->text, interruption, {input->file.sources, request.force});
+}
+
+}  // namespace mes::cli

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/store/texts/cell_text.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "app/store/texts/internal/geo_text.h"
+#include "app/store/texts/internal/line_areas.h"
+#include "app/store/texts/internal/shapes_on_earth.h"
+#include "app/store/texts/internal/straight_shapes.h"
+#include "core/io/systems/map_conversion.h"
+#include "core/io/text/text_numbers.h"
+
+namespace mes {
+namespace {
+
+constexpr std::array<std::string_view, 4> kCellFormats{"geojson", "wkt", "gpkg", "fgb"};
+
+double area_of(const std::vector<Vec2>& ring) {
+  double out = 0.0;
+  for (std::size_t i = 1; i < ring.size(); ++i) out += cross(ring[i - 1] - ring[0], ring[i] - ring[0]);
+  return 0.5 * out;
+}
+
+double area_of(const LineArea& area) {
+  double out = area_of(area.outer);
+  for (const std::vector<Vec2>& hole : area.holes) out += area_of(hole);
+  return out;
+}
+
+/// One ring is a whole area, even if some of its corners are one point but for rounding.
+std::vector<LineArea> areas_of(const TextCell& cell) {
+  if (cell.rings.size() != 1) return areas_of(cell.rings).areas;
+  LineArea out{cell.rings.front(), {}};
+  if (area_of(out.outer) < 0.0) std::ranges::reverse(out.outer);
+  return {out};
+}
+
+/// Empty if some part of the cell is not on the Earth.
+GeoParts geo_parts_of(const std::vector<LineArea>& areas, const MapConversion* conversion) {
+  GeoParts out;
+  for (const LineArea& area : areas) {
+    const StraightShape shape{.kind = StraightKind::polygon, .corners = area.outer, .holes = area.holes};
+    GeoParts converted = geo_parts_of(shape, conversion);
+    if (converted.empty()) return {};
+    for (GeoPart& part : converted) out.push_back(std::move(part));
+  }
+  return out;
+}
+
+/// `to_attributes` converts the centre.
+void append_cell(std::string& out, const TextCell& cell, double area, const GeoParts& parts,
+                 const std::optional<MapConversion>& to_attributes) {
+  const Vec2 place = to_attributes ? to_attributes->from_plane(cell.place) : cell.place;
+  out += R"({"type":"Feature","properties":{"sample":)";
+  out += std::to_string(cell.sample);
+  out += R"(,"center":[)";
+  append_number(out, place.x);
+  out += ',';
+  append_number(out, place.y);
+  out += R"(],"area":)";
+  append_number(out, area);
+  out += R"(},"geometry":)";
+  append_geojson(out, StraightKind::polygon, parts);
+  out += '}';
+}
+
+}  // namespace
+
+std::span<const std::string_view> cell_formats() {
+  return kCellFormats;
+}
+
+Expected<CellText> cell_text(std::span<const TextCell> cells, const std::optional<MapPlane>& map,
+                             std::string_view format) {
+  const bool is_json = format != "wkt";
+  const bool is_by_gdal = format == "gpkg" || format == "fgb";
+  std::optional<MapConversion> conversion;
+  std::optional<MapConversion> to_attributes;
+  if (map && is_on_earth(*map)) {
+    auto made = MapConversion::of(*map, is_json ? MapTarget::wgs84 : MapTarget::own_system);
+    if (!made) return std::unexpected(made.error());
+    conversion = std::move(*made);
+    // GDAL converts positions to the system of the map, but not attributes.
+    auto own = MapConversion::of(*map, is_by_gdal ? MapTarget::own_system : MapTarget::wgs84);
+    if (!own) return std::unexpected(own.error());
+    to_attributes = std::move(*own);
+  }
+  const MapConversion* const converted = conversion ? &*conversion : nullptr;
+  const std::string srid = srid_of(map);
+  CellText out;
+  if (is_json) out.text = begin_of_features(converted != nullptr);
+  bool is_first = true;
+  for (const TextCell& cell : cells) {
+    const std::vector<LineArea> areas = areas_of(cell);
+    const GeoParts parts = geo_parts_of(areas, converted);
+    if (parts.empty()) {
+      ++out.off_earth;
+    } else if (is_json) {
+      out.text += is_first ? "\n" : ",\n";
+      double area = 0.0;
+      for (const LineArea& part : areas) area += area_of(part);
+      append_cell(out.text, cell, area, parts, to_attributes);
+      is_first = false;
+    } else {
+      append_wkt(out.text, StraightKind::polygon, parts, srid);
+    }
+  }
+  if (is_json) out.text += kEndOfFeatures;
+  if (is_by_gdal) {
+    auto file = map_file_of(out.text, format == "gpkg" ? kGeoPackage : kFlatGeobuf, map);
+    if (!file) return std::unexpected(file.error());
+    out.text = *std::move(file);
+  }
+  return out;
+}
+
+}  // namespace mes

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/store/texts/line_text.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "app/store/texts/internal/dxf_text.h"
+#include "app/store/texts/internal/geo_text.h"
+#include "app/store/texts/internal/shapes_on_earth.h"
+#include "core/base/geometry/box2.h"
+#include "core/io/systems/map_conversion.h"
+#include "core/io/text/text_numbers.h"
+
+namespace mes {
+namespace {
+
+bool is_of_map(const TextLine& line) {
+  return line.map && is_on_earth(*line.map);
+}
+
+/// Converts lines of maps. Most lines have the map of the line before them.
+class LineConversions {
+ public:
+  explicit LineConversions(MapTarget target) : target_(target) {}
+
+  /// Null for a line in no map.
+  Expected<const MapConversion*> of(const TextLine& line) {
+    if (!is_of_map(line)) return nullptr;
+    if (!conversion_ || *line.map != plane_) {
+      auto conversion = MapConversion::of(*line.map, target_);
+      if (!conversion) return std::unexpected(conversion.error());
+      conversion_ = *std::move(conversion);
+      plane_ = *line.map;
+    }
+    return &*conversion_;
+  }
+  Expected<std::vector<Vec2>> points_of(const TextLine& line) {
+    const auto conversion = of(line);
+    if (!conversion) return std::unexpected(conversion.error());
+    std::vector<Vec2> out = line.points;
+    if (*conversion != nullptr) (*conversion)->from_plane(out);
+    return out;
+  }
+  Expected<GeoParts> parts_of(const TextLine& line) {
+    const auto conversion = of(line);
+    if (!conversion) return std::unexpected(conversion.error());
+    const StraightShape shape{.kind = StraightKind::chain, .of = PrimitiveKind::segment, .corners = line.points};
+    return geo_parts_of(shape, *conversion);
+  }
+
+ private:
+  MapTarget target_;
+  MapPlane plane_{};
+  std::optional<MapConversion> conversion_{};
+};
+
+Expected<LineText> lines_as_geojson(std::span<const TextLine> lines) {
+  LineConversions conversions(MapTarget::wgs84);
+  LineText out{begin_of_features(std::ranges::any_of(lines, is_of_map))};
+  bool is_first = true;
+  for (const TextLine& line : lines) {
+    const auto parts = conversions.parts_of(line);
+    if (!parts) return std::unexpected(parts.error());
+    if (parts->empty()) {
+      ++out.off_earth;
+      continue;
+    }
+    out.text += is_first ? "\n" : ",\n";
+    is_first = false;
+    out.text += R"({"type":"Feature",)";
+    if (!line.id.empty()) out.text += R"("id":)" + line.id + ',';
+    out.text += R"("properties":{)" + line.properties;
+    bool is_next = !line.properties.empty();
+    for (const auto& [name, value] : line.numbers) {
+      if (is_next) out.text += ',';
+      is_next = true;
+      out.text += '"' + name + "\":" + json_number(value);
+    }
+    out.text += R"(},"geometry":)";
+    append_geojson(out.text, StraightKind::chain, *parts);
+    out.text += '}';
+  }
+  out.text += kEndOfFeatures;
+  return out;
+}
+
+Expected<LineText> lines_as_wkt(std::span<const TextLine> lines) {
+  LineConversions conversions(MapTarget::own_system);
+  LineText out;
+  for (const TextLine& line : lines) {
+    const auto parts = conversions.parts_of(line);
+    if (!parts) return std::unexpected(parts.error());
+    if (parts->empty())
+      ++out.off_earth;
+    else
+      append_wkt(out.text, StraightKind::chain, *parts, srid_of(line.map));
+  }
+  return out;
+}
+
+Expected<LineText> lines_as_csv(std::span<const TextLine> lines) {
+  LineConversions conversions(MapTarget::own_system);
+  LineText out{"line,x,y\n"};
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const auto points = conversions.points_of(lines[i]);
+    if (!points) return std::unexpected(points.error());
+    for (const Vec2 p : *points) {
+      out.text += std::to_string(i + 1);
+      append_number(out.text += ',', p.x);
+      append_number(out.text += ',', p.y);
+      out.text += '\n';
+    }
+  }
+  return out;
+}
+
+void append_pair(std::string& out, double x, double y) {
+  append_number(out, x);
+  append_number(out += ' ', y);
+}
+
+Expected<LineText> lines_as_svg(std::span<const TextLine> lines) {
+  Box2 box;
+  for (const TextLine& line : lines)
+    for (const Vec2 p : line.points) box.add(Vec2{p.x, p.y == 0.0 ? 0.0 : -p.y});
+  const double size = std::max(box.width(), box.height());
+  LineText out{R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox=")"};
+  append_pair(out.text, box.low.x - 0.02 * size, box.low.y - 0.02 * size);
+  append_pair(out.text += ' ', box.width() + 0.04 * size, box.height() + 0.04 * size);
+  out.text += R"(" fill="none" stroke="black" stroke-linejoin="round" stroke-linecap="round" stroke-width=")";
+  append_number(out.text, 0.002 * size);
+  out.text += "\">\n";
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const TextLine& line = lines[i];
+    out.text += R"(<path id="line-)" + std::to_string(i + 1) + R"(" d=")";
+    const std::size_t n = line.points.size() - (line.is_closed ? 1 : 0);
+    for (std::size_t k = 0; k < n; ++k) {
+      const Vec2 p = line.points[k];
+      append_pair(out.text += k == 0 ? "M " : " L ", p.x, p.y == 0.0 ? 0.0 : -p.y);
+    }
+    out.text += line.is_closed ? " Z\"/>\n" : "\"/>\n";
+  }
+  out.text += "</svg>\n";
+  return out;
+}
+
+template <bool kHasHeights>
+Expected<LineText> lines_as_dxf(std::span<const TextLine> lines) {
+  LineConversions conversions(MapTarget::own_system);
+  LineText out{std::string(DxfText::kBegin)};
+  DxfText dxf(out.text, "centerline");
+  for (const TextLine& line : lines) {
+    const auto points = conversions.points_of(line);
+    if (!points) return std::unexpected(points.error());
+    const std::size_t count = points->size() - (line.is_closed ? 1 : 0);
+    const std::vector<double> unknown(kHasHeights && line.radii.empty() ? count : 0, 0.0);
+    const std::span<const double> heights = line.radii.empty() ? unknown : line.radii;
+    dxf.polyline(std::span(*points).first(count), line.is_closed, heights.first(kHasHeights ? count : 0));
+  }
+  out.text += DxfText::kEnd;
+  return out;
+}
+
+template <const char* const& kDriver>
+Expected<LineText> lines_by_gdal(std::span<const TextLine> lines) {
+  auto out = lines_as_geojson(lines);
+  if (!out) return out;
+  auto file = map_file_of(out->text, kDriver, lines.empty() ? std::nullopt : lines.front().map);
+  if (!file) return std::unexpected(file.error());
+  out->text = *std::move(file);
+  return out;
+}
+
+// One line per format.
+constexpr std::array<LineTextFormat, 8> kLineFormats{{
+    {"geojson", "features with numbers as properties", true, lines_as_geojson},
+    {"wkt", "well-known text, a line string a line", false, lines_as_wkt},
+    {"csv", "a point of a line in each row", false, lines_as_csv},
+    {"svg", "a path for each line, upright", false, lines_as_svg},
+    {"dxf", "a polyline for each line", false, lines_as_dxf<false>},
+    {"dxf-3d", "the same in space: the height is the radius of the largest disk, for V-shaped bits", false,
+     lines_as_dxf<true>},
+    {"gpkg", "a GeoPackage with the same features as geojson, by GDAL", true, lines_by_gdal<kGeoPackage>},
+    {"fgb", "a FlatGeobuf with the same, by GDAL", true, lines_by_gdal<kFlatGeobuf>},
+}};
+
+}  // namespace
+
+std::span<const LineTextFormat> line_text_formats() {
+  return kLineFormats;
+}
+
+const LineTextFormat* find_line_text_format(std::string_view name) {
+  const auto found = std::ranges::find(kLineFormats, name, &LineTextFormat::name);
+  return found == kLineFormats.end() ? nullptr : &*found;
+}
+
+std::string json_number(double value) {
+  std::string out;
+  if (std::isfinite(value))
+    append_number(out, value);
+  else
+    out = "null";
+  return out;
+}
+
+}  // namespace mes

@@ -1,0 +1,369 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// `mesecina centerline`: lines and stations in every format, of maps in degrees, feature by feature, or one clear line.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "tests/cli/inputs.h"
+#include "tests/cli/run_binary.h"
+#include "tests/io/temporary_folder.h"
+
+using namespace mes::test;
+using Json = nlohmann::json;
+
+namespace {
+
+constexpr const char* kStrip = "POLYGON ((0 0, 8 0, 8 2, 0 2, 0 0))";
+
+std::string lines_written(const std::vector<std::string>& arguments, const std::string& input = {}) {
+  const RunResult result = run(with({"centerline"}, arguments), {.input = input});
+  INFO(result.err);
+  REQUIRE(result.exit_code == 0);
+  return result.out;
+}
+
+std::string line_fault(int code, const std::vector<std::string>& arguments, const std::string& input = {}) {
+  const RunResult result = run(with({"centerline"}, arguments), {.input = input});
+  INFO(result.err);
+  CHECK(result.exit_code == code);
+  CHECK(result.out.empty());
+  // Remarks on reading may come before.
+  CHECK(std::ranges::count(result.err, '\n') <= 3);
+  return result.err.substr(result.err.rfind("mesecina: "));
+}
+
+std::vector<std::vector<std::string>> rows_of(const std::string& csv) {
+  std::vector<std::vector<std::string>> out;
+  std::istringstream lines(csv);
+  for (std::string line; std::getline(lines, line);) {
+    out.emplace_back();
+    std::istringstream cells(line);
+    for (std::string cell; std::getline(cells, cell, ',');) out.back().push_back(cell);
+  }
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("the centre line of a strip runs from side to side, in every format") {
+  const TemporaryFolder folder;
+  const std::string strip = folder.write("strip.wkt", kStrip).string();
+  const Json all = Json::parse(lines_written({strip, "--extend"}));
+  REQUIRE(all["features"].size() == 1);
+  const Json& feature = all["features"][0];
+  CHECK_FALSE(all.contains("crs"));
+  CHECK(feature["properties"]["length"].get<double>() == Approx(8.0).epsilon(1e-3));
+  CHECK(feature["properties"]["width_mean"].get<double>() == Approx(2.0).epsilon(1e-3));
+  CHECK(feature["properties"]["shape"] == 1);
+  CHECK(feature["properties"]["line"] == 1);
+  const Json& places = feature["geometry"]["coordinates"];
+  CHECK(feature["geometry"]["type"] == "LineString");
+  CHECK(places.front()[0].get<double>() == Approx(0.0).margin(1e-9));
+  CHECK(places.back()[0].get<double>() == Approx(8.0).margin(1e-9));
+  for (const Json& place : places) CHECK(place[1].get<double>() == Approx(1.0).margin(1e-3));
+
+  // The same line in the other formats, by option and by name, which the program reads back.
+  for (const std::string format : {"wkt", "svg", "dxf", "csv", "geojson"}) {
+    const std::string file = (folder / ("line." + format)).string();
+    CHECK(lines_written({strip, "--extend", "-o", file}).empty());
+    CHECK(contents_of(file) == lines_written({strip, "--extend", "--format", format}));
+    if (format == "csv") continue;
+    const RunResult read = run({"compute", file, "--vertices", "--layers", "points"});
+    INFO(format << ": " << read.err);
+    REQUIRE(read.exit_code == 0);
+    CHECK(Json::parse(read.out)["input"]["samples"] == places.size());
+  }
+  const auto rows = rows_of(contents_of(folder / "line.csv"));
+  REQUIRE(rows.size() == places.size() + 1);
+  CHECK(rows[0] == std::vector<std::string>{"line", "x", "y"});
+  CHECK(std::stod(rows[1][1]) == places[0][0].get<double>());
+  CHECK(lines_written({"-"}, kStrip) == lines_written({strip}));
+  CHECK(lines_written({strip, "--format", "wkt"}).starts_with("LINESTRING ("));
+  CHECK(lines_written({strip}) == lines_written({strip}));
+}
+
+TEST_CASE("pruning, smoothing and branches are chosen") {
+  const auto summary = [](const std::vector<std::string>& more) {
+    const Json all = Json::parse(lines_written(with({"-"}, more), kStrip));
+    std::vector<double> out;
+    for (const Json& feature : all["features"]) out.push_back(feature["properties"]["length"]);
+    return out;
+  };
+  CHECK(summary({}) == summary({"--prune", "0.5", "--smooth", "25%", "--branches", "1"}));
+  CHECK(summary({}).at(0) == Approx(6.0).margin(0.1));
+  CHECK(summary({"--branches", "9"}).size() == 1);
+  const auto unpruned = summary({"--prune", "0", "--smooth", "0", "--branches", "9"});
+  REQUIRE(unpruned.size() == 3);
+  CHECK(unpruned[0] == Approx(6.0 + 2.0 * std::sqrt(2.0)).margin(0.01));
+  CHECK(unpruned[1] == Approx(std::sqrt(2.0)).margin(0.02));
+  // Smoothing cuts the bends at the corners short.
+  CHECK(summary({"--prune", "0", "--smooth", "0.2"}).at(0) < unpruned[0] - 0.01);
+  const auto ends = Json::parse(lines_written({"-", "--prune", "0", "--between", "-1,-1", "9,9", "--smooth", "0"},
+                                              kStrip))["features"][0]["geometry"]["coordinates"];
+  CHECK(ends.front()[0].get<double>() < 0.01);
+  CHECK(ends.front()[1].get<double>() < 0.01);
+  CHECK(ends.back()[0].get<double>() > 7.99);
+  CHECK(ends.back()[1].get<double>() > 1.99);
+}
+
+TEST_CASE("stations have widths, both banks and a direction") {
+  const std::string wedge = "POLYGON ((0 0, 10 -1, 10 1, 0 0))";
+  const auto rows =
+      rows_of(lines_written({"-", "--every", "0.5", "--format", "csv", "--prune", "1", "--smooth", "0"}, wedge));
+  CHECK(rows[0] == std::vector<std::string>{"shape", "line", "station", "x", "y", "width", "left_x", "left_y",
+                                            "right_x", "right_y", "direction"});
+  REQUIRE(rows.size() > 15);
+  const double sine = 1.0 / std::sqrt(101.0);
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    REQUIRE(rows[i].size() == 11);
+    const double x = std::stod(rows[i][3]);
+    CHECK(std::stod(rows[i][2]) == Approx(0.5 * static_cast<double>(i - 1)));
+    if (x < 0.5 || i + 2 > rows.size()) continue;
+    CHECK(std::stod(rows[i][4]) == Approx(0.0).margin(0.01));
+    CHECK(std::stod(rows[i][5]) == Approx(2.0 * x * sine).epsilon(0.01));
+    CHECK(std::stod(rows[i][7]) == Approx(0.1 * std::stod(rows[i][6])).margin(1e-6));
+    CHECK(std::stod(rows[i][9]) == Approx(-0.1 * std::stod(rows[i][8])).margin(1e-6));
+  }
+  // Other formats have a line across the shape for each.
+  const Json across = Json::parse(lines_written({"-", "--every", "0.5", "--prune", "1", "--smooth", "0"}, wedge));
+  REQUIRE(across["features"].size() + 1 == rows.size());
+  const Json& one = across["features"][10];
+  CHECK(one["properties"]["station"] == 5.0);
+  CHECK(one["properties"]["width"].get<double>() == Approx(std::stod(rows[11][5])));
+  REQUIRE(one["geometry"]["coordinates"].size() == 3);
+  CHECK(one["geometry"]["coordinates"][0][1].get<double>() == Approx(std::stod(rows[11][7])));
+}
+
+TEST_CASE("lines of a map in degrees are in degrees, and feature by feature with properties") {
+  const TemporaryFolder folder;
+  const auto parcel = [](double x, double y) {
+    return Json{{"type", "Polygon"},
+                {"coordinates",
+                 Json::array({Json::array({{x, y}, {x + 0.1, y}, {x + 0.1, y + 0.01}, {x, y + 0.01}, {x, y}})})}};
+  };
+  const Json map{{"type", "FeatureCollection"},
+                 {"features",
+                  {{{"type", "Feature"},
+                    {"id", "a"},
+                    {"properties", {{"name", "long \"lot\", {1}"}, {"length", 7}}},
+                    {"geometry", parcel(9, 50)}},
+                   {{"type", "Feature"}, {"id", 2}, {"properties", {{"name", "empty"}}}, {"geometry", nullptr}},
+                   {{"type", "Feature"}, {"properties", nullptr}, {"geometry", parcel(20, 60)}}}}};
+  const std::string file = folder.write("map.geojson", map.dump(1)).string();
+
+  const Json together = Json::parse(lines_written({file, "--extend"}));
+  REQUIRE(together["features"].size() == 2);
+  CHECK(together.contains("crs"));
+
+  const RunResult apart = run({"centerline", file, "--each", "--extend"});
+  INFO(apart.err);
+  REQUIRE(apart.exit_code == 0);
+  CHECK_THAT(apart.err, Catch::Contains("feature 2, id 2: "));
+  const Json each = Json::parse(apart.out);
+  REQUIRE(each["features"].size() == 2);
+  const Json& first = each["features"][0];
+  CHECK(first["id"] == "a");
+  CHECK(first["properties"]["name"] == "long \"lot\", {1}");
+  CHECK(first["properties"]["length"] == 7);
+  // Each feature is projected about its own middle, where a degree of longitude is as long as it is: in metres by geod.
+  const double width = 7168.83;
+  CHECK(first["properties"]["centerline_length"].get<double>() == Approx(width).epsilon(1e-3));
+  CHECK(first["geometry"]["coordinates"].front()[0].get<double>() == Approx(9.0).margin(1e-6));
+  CHECK(first["geometry"]["coordinates"].front()[1].get<double>() == Approx(50.005).margin(1e-4));
+  CHECK_FALSE(each["features"][1].contains("id"));
+  CHECK(each["features"][1]["properties"]["shape"] == 1);
+  CHECK(each["features"][1]["geometry"]["coordinates"].back()[0].get<double>() == Approx(20.1).margin(1e-6));
+
+  const Json chosen = Json::parse(lines_written({file, "--between", "20,60", "20.2,60"}));
+  REQUIRE(chosen["features"].size() == 1);
+  CHECK(chosen["features"][0]["geometry"]["coordinates"].front()[0].get<double>() > 19.9);
+
+  CHECK_THAT(line_fault(2, {file, "--each", "--format", "wkt"}), Catch::Contains("geojson, gpkg and fgb can"));
+  CHECK_THAT(line_fault(2, {file, "--each", "--crs", "EPSG:999999"}), Catch::Contains("--crs: \"EPSG:999999\""));
+  CHECK_THAT(line_fault(2, {file, "--each", "--from", "wkt"}), Catch::Contains("features of geojson, "));
+  CHECK_THAT(line_fault(3, {folder.write("a.json", "[[0,0],[1,1]]").string(), "--each"}),
+             Catch::Contains("reads features"));
+  CHECK_THAT(
+      line_fault(3, {folder.write("b.json", "{\"type\": \"FeatureCollection\", \"features\": [").string(), "--each"}),
+      Catch::Contains("b.json:1:"));
+  CHECK_THAT(
+      line_fault(3, {folder.write("c.json", R"({"type": "FeatureCollection", "features": []})").string(), "--each"}),
+      Catch::Contains("no features"));
+  CHECK_THAT(line_fault(2, {file, "--between", "9,50", "20,60"}), Catch::Contains("two shapes"));
+}
+
+TEST_CASE("a line in space has the radii of the largest disks as heights") {
+  // A wedge from half width 1 to half width 2 along 20.
+  const std::string wedge = "POLYGON ((0 -1, 20 -2, 20 2, 0 1, 0 -1))";
+  const std::string text = lines_written({"-", "--format", "dxf-3d", "--smooth", "0", "--prune", "1"}, wedge);
+  std::istringstream lines(text);
+  std::vector<std::string> all;
+  for (std::string line; std::getline(lines, line);) all.push_back(line);
+  std::size_t vertices = 0;
+  for (std::size_t i = 0; i + 9 < all.size(); i += 2) {
+    if (all[i] != "0" || all[i + 1] != "VERTEX") continue;
+    ++vertices;
+    CHECK(all[i + 4] == "10");
+    CHECK(all[i + 8] == "30");
+    const double x = std::stod(all[i + 5]);
+    // The distance to the sides, which rise by 1 in 20.
+    CHECK(std::stod(all[i + 9]) == Approx((1 + x / 20) / std::hypot(1, 0.05)).epsilon(2e-3));
+  }
+  CHECK(vertices > 10);
+  CHECK(text.contains("POLYLINE\n8\ncenterline\n66\n1\n70\n8\n"));
+  // Its reader takes it for the same line.
+  const TemporaryFolder folder;
+  const RunResult read = run({"compute", folder.write("a.dxf", text).string(), "--vertices", "--layers", "points"});
+  REQUIRE(read.exit_code == 0);
+  CHECK(Json::parse(read.out)["input"]["samples"] == vertices);
+  CHECK_THAT(line_fault(2, {"-", "--format", "dxf-3d", "--extend"}, wedge), Catch::Contains("--extend"));
+  CHECK_THAT(line_fault(2, {"-", "--format", "dxf-3d", "--every", "1"}, wedge), Catch::Contains("--every"));
+}
+
+TEST_CASE("lines and messages are in the order of the features, whichever is finished first") {
+  // Each third feature is a square, which has no line, and the others are of very different size.
+  Json features = Json::array();
+  for (int i = 0; i < 30; ++i) {
+    const double x = 9.0 + 0.1 * i;
+    const double wide = i % 3 == 0 ? 0.01 : 0.05;
+    const double high = i % 3 == 0 ? 0.01 * 0.6445 : 0.05 / (2.0 + i);
+    const Json ring =
+        Json::array({{x, 50.0}, {x + wide, 50.0}, {x + wide, 50.0 + high}, {x, 50.0 + high}, {x, 50.0}});
+    features.push_back({{"type", "Feature"},
+                        {"id", i},
+                        {"properties", Json::object()},
+                        {"geometry", {{"type", "Polygon"}, {"coordinates", Json::array({ring})}}}});
+  }
+  const TemporaryFolder folder;
+  const Json map{{"type", "FeatureCollection"}, {"features", features}};
+  const RunResult apart = run({"centerline", folder.write("map.json", map.dump()).string(), "--each"});
+  INFO(apart.err);
+  REQUIRE(apart.exit_code == 0);
+  const Json lines = Json::parse(apart.out)["features"];
+  int last = -1;
+  for (const Json& line : lines) {
+    CHECK(line["id"].get<int>() > last);
+    last = line["id"];
+  }
+  std::istringstream messages(apart.err);
+  std::vector<int> without;
+  for (std::string message; std::getline(messages, message);)
+    if (const auto at = message.find(", id "); at != std::string::npos)
+      without.push_back(std::stoi(message.substr(at + 5)));
+  CHECK(without.size() + lines.size() == 30);
+  CHECK(without.size() > 5);
+  CHECK(std::ranges::is_sorted(without));
+}
+
+TEST_CASE("a feature with a digit too many in a coordinate is refused at once, and the rest is written") {
+  const auto feature = [](const std::string& name, const std::string& corners) {
+    return R"({"type":"Feature","properties":{"name":")" + name +
+           R"("},"geometry":{"type":"Polygon","coordinates":[[)" + corners + "]]}}";
+  };
+  const std::string good = feature("good", "[4290,5540],[4680,5540],[4680,5650],[4290,5650],[4290,5540]");
+  const std::string bad = feature("bad", "[4283,5539],[488946728,5539],[488946728,5649],[4283,5649],[4283,5539]");
+  const std::string map =
+      R"({"type":"FeatureCollection","crs":{"type":"name","properties":{"name":"none"}},"features":[)";
+  const RunResult apart = run({"centerline", "-", "--each"}, {.input = map + bad + "," + good + "]}"});
+  CHECK(apart.exit_code == 0);
+  CHECK_THAT(apart.err, Catch::Contains("-: feature 1: the outline is 4.44e+06 times as long as it is wide"));
+  REQUIRE(Json::parse(apart.out)["features"].size() == 1);
+  CHECK(Json::parse(apart.out)["features"][0]["properties"]["name"] == "good");
+
+  const RunResult together = run({"centerline", "-"}, {.input = map + bad + "," + good + "]}"});
+  CHECK(together.exit_code == 0);
+  CHECK_THAT(together.err, Catch::Contains("outline 1 is 4.44e+06 times") && Catch::Contains("it is left out"));
+  CHECK(Json::parse(together.out)["features"].size() == 1);
+
+  CHECK_THAT(line_fault(3, {"-", "--each"}, map + bad + "]}"), Catch::Contains("no feature has a centre line"));
+  CHECK_THAT(line_fault(3, {"-"}, "POLYGON ((0 0, 1000000 0, 1000000 1, 0 1, 0 0))"),
+             Catch::Contains("1e+06 times as long"));
+  // A strip that is 10,000 times as long as wide has its line.
+  CHECK(run({"centerline", "-"}, {.input = "POLYGON ((0 0, 10000 0, 10000 1, 0 1, 0 0))"}).exit_code == 0);
+}
+
+TEST_CASE(
+    "features that are not on the Earth, cross themselves or enclose nothing are named, and the rest is written") {
+  const auto feature = [](int id, const std::string& geometry) {
+    return R"({"type":"Feature","id":)" + std::to_string(id) + R"(,"properties":{},"geometry":)" + geometry + "}";
+  };
+  const auto polygon = [](const std::string& rings) { return R"({"type":"Polygon","coordinates":[)" + rings + "]}"; };
+  const std::string map =
+      R"({"type":"FeatureCollection","features":[)" +
+      feature(1, polygon("[[8,91],[8.004,91],[8.004,91.001],[8,91.001],[8,91]]")) + ',' +
+      feature(2, polygon("[[8,50],[8.004,50.002],[8.004,50],[8,50.002],[8,50]]")) + ',' +
+      feature(3, polygon("[[8,50],[8.004,50],[8.008,50],[8,50]]")) + ',' + feature(4, "null") + ',' +
+      feature(5, R"({"type":"Point","coordinates":[8,50]})") + ',' +
+      feature(6, polygon("[[8,50],[8.001,50],[8.001,50.0006],[8,50.0006],[8,50]]")) + ',' +
+      feature(7, polygon("[[8,50],[8.004,50],[8.004,50.001],[8,50.001],[8,50]],"
+                         "[[9,50],[9.004,50],[9.004,50.001],[9,50.001],[9,50]]")) +
+      ',' + feature(8, polygon("[[179.99,50],[-179.99,50],[-179.99,50.002],[179.99,50.002],[179.99,50]]")) + "]}";
+  const RunResult result = run({"centerline", "-", "--each", "--prune", "2"}, {.input = map});
+  INFO(result.err);
+  CHECK(result.exit_code == 0);
+  std::map<int, int> lines;
+  const Json written = Json::parse(result.out);
+  for (const Json& line : written["features"]) {
+    ++lines[line["id"].get<int>()];
+    if (line["id"] == 8) CHECK(line["geometry"]["type"] == "MultiLineString");
+  }
+  // A hole outside is a shape of its own, and the two triangles of a bow tie are compact.
+  CHECK(lines == std::map<int, int>{{7, 2}, {8, 1}});
+  CHECK(std::ranges::count(result.err, '\n') == 7);
+  for (const char* const named :
+       {"feature 1, id 1: its positions are not on the Earth", "feature 2, id 2: there is no centre line",
+        "feature 3, id 3: ", "feature 4, id 4: ", "feature 5, id 5: there is no centre line",
+        "feature 6, id 6: there is no centre line: every shape"})
+    CHECK_THAT(result.err, Catch::Contains(named));
+}
+
+TEST_CASE("the samples of a session stay, and those of a drawing are taken again") {
+  const TemporaryFolder folder;
+  const std::string strip = folder.write("strip.wkt", kStrip).string();
+  // Four samples at the corners make two balls on one centre.
+  CHECK_THAT(line_fault(1, {strip, "--vertices"}), Catch::Contains("no centre line"));
+  const std::string picture = (folder / "strip.svg").string();
+  REQUIRE(run({"render", strip, "--vertices", "--layers", "points", "-o", picture}).exit_code == 0);
+  CHECK_THAT(line_fault(1, {picture}), Catch::Contains("no centre line"));
+  CHECK_FALSE(lines_written({kEditedBean}).empty());
+}
+
+TEST_CASE("what has no centre line gets one line and an exit code") {
+  CHECK_THAT(line_fault(1, {"-"}, "POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0))"),
+             Catch::Contains("no centre line: every shape"));
+  CHECK_THAT(line_fault(1, {"-"}, "POINT (1 2)"), Catch::Contains("no centre line"));
+  CHECK_THAT(line_fault(1, {"-"}, "MULTIPOINT ((1 2), (3 4))"), Catch::Contains("no centre line"));
+  CHECK_THAT(line_fault(3, {"-", "--from", "poff"}, "POFF 0 0 0\n"), Catch::Contains("no samples"));
+  line_fault(3, {"-"}, "\x01\x02 nonsense");
+  line_fault(3, {"no-such-file.svg"});
+  line_fault(4, {"-", "-o", "/no/such/folder/a.wkt"}, kStrip);
+  // Crossing outlines are shapes by parity: a bow tie is two triangles that meet.
+  const Json tie = Json::parse(lines_written({"-", "--extend"}, "POLYGON ((0 0, 8 3, 8 0, 0 3, 0 0))"));
+  CHECK_FALSE(tie["features"].empty());
+  for (const Json& feature : tie["features"])
+    for (const Json& place : feature["geometry"]["coordinates"]) {
+      const double x = place[0].get<double>() - 4.0;
+      CHECK(std::abs(place[1].get<double>() - 1.5) <= 0.375 * std::abs(x) + 0.01);
+    }
+
+  const auto usage = [](const std::vector<std::string>& more) { return line_fault(2, with({"-"}, more), kStrip); };
+  CHECK_THAT(usage({"--prune", "-1"}), Catch::Contains("--prune expects"));
+  CHECK_THAT(usage({"--smooth", "x%"}), Catch::Contains("--smooth expects"));
+  CHECK_THAT(usage({"--smooth", "-3"}), Catch::Contains("--smooth expects"));
+  CHECK_THAT(usage({"--branches", "0"}), Catch::Contains("--branches expects"));
+  CHECK_THAT(usage({"--every", "0"}), Catch::Contains("--every expects"));
+  CHECK_THAT(usage({"--every", "1e-9"}), Catch::Contains("stations"));
+  CHECK_THAT(usage({"--every", "1", "--extend"}), Catch::Contains("--extend"));
+  CHECK_THAT(usage({"--between", "1,2", "3"}), Catch::Contains("X,Y"));
+  CHECK_THAT(usage({"--between", "1,2", "3,4", "--branches", "2"}), Catch::Contains("--branches"));
+  CHECK_THAT(usage({"--between", "0,1", "1,1"}), Catch::Contains("same end"));
+  CHECK_THAT(usage({"--format", "pdf"}), Catch::Contains("geojson"));
+  CHECK_THAT(usage({"-o", "lines.pdf"}), Catch::Contains("--format expects"));
+  CHECK_FALSE(std::filesystem::exists("lines.pdf"));
+}

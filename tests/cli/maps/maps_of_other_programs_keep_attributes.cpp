@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// GeoPackages, FlatGeobufs and shapefiles with attributes, written by ogr2ogr; and what the program writes, read by it.
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "tests/cli/inputs.h"
+#include "tests/cli/run_binary.h"
+#include "tests/io/temporary_folder.h"
+
+using namespace mes::test;
+using Json = nlohmann::json;
+
+namespace {
+
+constexpr const char* kParcels =
+    R"({"type":"FeatureCollection","features":[)"
+    R"({"type":"Feature","properties":{"name":"Süd","use":7,"area":1.5},"geometry":{"type":"Polygon","coordinates":)"
+    R"([[[8.0,50.0],[8.003,50.0],[8.003,50.001],[8.0,50.001],[8.0,50.0]]]}},)"
+    R"({"type":"Feature","properties":{"name":"say \"x\"","use":9,"area":null},"geometry":{"type":"Polygon",)"
+    R"("coordinates":[[[8.01,50.0],[8.011,50.0],[8.0115,50.004],[8.0105,50.004],[8.01,50.0]]]}}]})";
+
+/// Writes the parcels by ogr2ogr, in UTM zone 32.
+std::string parcels_as(const TemporaryFolder& folder, const std::string& name,
+                       const std::vector<std::string>& more = {}) {
+  const std::string from = folder.write("parcels.geojson", kParcels).string();
+  const std::string file = (folder / name).string();
+  const RunResult made = run(with({"-t_srs", "EPSG:25832", file, from}, more), {.program = "ogr2ogr"});
+  INFO(made.err);
+  REQUIRE(made.exit_code == 0);
+  return file;
+}
+
+/// The features of a file as ogr2ogr reads them, in longitude and latitude if they are on the Earth.
+Json features_by_ogr(const std::string& file) {
+  const RunResult read = run({"-f", "GeoJSON", "/vsistdout/", file}, {.program = "ogr2ogr"});
+  INFO(read.err);
+  REQUIRE(read.exit_code == 0);
+  return Json::parse(read.out);
+}
+
+std::string told_by_ogr(const std::string& file) {
+  const RunResult read = run({"-al", "-so", file}, {.program = "ogrinfo"});
+  REQUIRE(read.exit_code == 0);
+  return read.out;
+}
+
+Json made(const std::vector<std::string>& command) {
+  const RunResult result = run(command);
+  INFO(result.err);
+  REQUIRE(result.exit_code == 0);
+  return result.out.empty() ? Json{} : Json::parse(result.out);
+}
+
+std::string map_fault(int code, const std::vector<std::string>& command, const std::string& input = {}) {
+  const RunResult result = run(command, {.input = input});
+  INFO(result.err);
+  CHECK(result.exit_code == code);
+  CHECK(result.out.empty());
+  CHECK(std::count(result.err.begin(), result.err.end(), '\n') == 1);
+  return result.err;
+}
+
+}  // namespace
+
+TEST_CASE("the features of each kind of map keep their attributes") {
+  const TemporaryFolder folder;
+  for (const std::string name : {"a.shp", "a.gpkg", "a.fgb"}) {
+    INFO(name);
+    const std::string file = parcels_as(folder, name);
+    const Json lines = made({"centerline", file, "--each"});
+    REQUIRE(lines["features"].size() == 2);
+    std::vector<Json> by_use(2);
+    for (const Json& feature : lines["features"]) by_use[feature["properties"]["use"] == 9 ? 1 : 0] = feature;
+    CHECK(by_use[0]["properties"]["name"] == "Süd");
+    CHECK(by_use[0]["properties"]["area"] == 1.5);
+    CHECK(by_use[0]["id"].is_number());
+    CHECK(by_use[1]["properties"]["name"] == "say \"x\"");
+    // The strip is 0.001 degrees of latitude wide, which are 111.19 m in this zone, and the other is 0.004 high.
+    CHECK(by_use[0]["properties"]["width_mean"].get<double>() == Approx(111.19).epsilon(1e-4));
+    const Json& places = by_use[1]["geometry"]["coordinates"];
+    for (const Json& place : places) {
+      CHECK(std::abs(place[0].get<double>() - 8.01075) < 0.001);
+      CHECK(std::abs(place[1].get<double>() - 50.002) < 0.002);
+    }
+    // Without --each the map is one document, in its own system.
+    const Json computed = made({"compute", file, "--vertices", "--layers", "curve"});
+    CHECK(computed["input"]["samples"] == 8);
+    const Json apart = made({"centerline", parcels_as(folder, "b.geojson"), "--each"});
+    for (const Json& feature : apart["features"])
+      if (feature["properties"]["use"] == 9)
+        CHECK(feature["properties"]["length"].get<double>() ==
+              Approx(by_use[1]["properties"]["length"].get<double>()).epsilon(1e-4));
+  }
+}
+
+TEST_CASE("a GeoPackage may have several layers, tables without geometries and curves") {
+  const TemporaryFolder folder;
+  const std::string file = parcels_as(folder, "a.gpkg", {"-nln", "first"});
+  parcels_as(folder, "a.gpkg", {"-update", "-nln", "second layer", "-nlt", "MULTISURFACE"});
+  parcels_as(folder, "a.gpkg", {"-update", "-nln", "table", "-nlt", "NONE"});
+  CHECK(made({"centerline", file, "--each"})["features"].size() == 4);
+  const std::string other = parcels_as(folder, "a.gpkg", {"-update", "-nln", "third", "-t_srs", "EPSG:32633"});
+  CHECK_THAT(map_fault(3, {"compute", other}), Catch::Contains("EPSG:32633"));
+}
+
+TEST_CASE("GeoPackages and FlatGeobufs are written in the system of the map") {
+  const TemporaryFolder folder;
+  const std::string map = parcels_as(folder, "parcels.gpkg");
+  const std::string drawing = folder.write("strip.wkt", "POLYGON ((0 0, 800 0, 800 200, 0 200, 0 0))").string();
+  for (const std::string extension : {"gpkg", "fgb"}) {
+    INFO(extension);
+    const auto named = [&](const std::string& name) { return (folder / (name + "." + extension)).string(); };
+    made({"centerline", map, "--each", "-o", named("lines")});
+    CHECK_THAT(told_by_ogr(named("lines")), Catch::Contains("EPSG\",25832"));
+    const Json lines = features_by_ogr(named("lines"));
+    const Json expected = made({"centerline", map, "--each"});
+    REQUIRE(lines["features"].size() == 2);
+    for (const Json& feature : lines["features"]) {
+      const Json& same =
+          expected["features"][feature["properties"]["use"] == expected["features"][0]["properties"]["use"] ? 0 : 1];
+      CHECK(feature["properties"]["name"] == same["properties"]["name"]);
+      CHECK(feature["properties"]["length"].get<double>() == Approx(same["properties"]["length"].get<double>()));
+      REQUIRE(feature["geometry"]["coordinates"].size() == same["geometry"]["coordinates"].size());
+    }
+    CHECK(contents_of(named("lines")) == [&] {
+      made({"centerline", map, "--each", "-o", named("again")});
+      return contents_of(named("again"));
+    }());
+
+    // Layers, areas and cells; of a drawing too, which is nowhere on the Earth.
+    made({"export", map, "--layer", "curve,points", "--format", extension, "-o", named("layers")});
+    CHECK_THAT(told_by_ogr(named("layers")), Catch::Contains("EPSG\",25832") && Catch::Contains("kind: String"));
+    const std::vector<std::string> disks{"export", map, "--layer", "interior-voronoi-disks", "--format"};
+    made(with(disks, {extension + "-areas", "-o", named("areas")}));
+    const std::size_t count = made(with(disks, {"geojson-areas"}))["features"].size();
+    CHECK(count > 100);
+    CHECK(features_by_ogr(named("areas"))["features"].size() == count);
+    made({"export", map, "--vertices", "--cells", "outline", "--format", extension, "-o", named("cells")});
+    CHECK(features_by_ogr(named("cells"))["features"].size() == 8);
+    // Centres are attributes, in metres of the zone as the geometry is: east of its middle at 500 km lies 9 E.
+    const auto check_centers = [&](const std::string& name) {
+      std::size_t centers = 0;
+      const Json read = features_by_ogr(named(name));
+      for (const Json& feature : read["features"]) {
+        const Json& given = feature["properties"]["center"];
+        const Json center = given.is_string() ? Json::parse(given.get<std::string>()) : given;
+        CHECK(center[0].get<double>() == Approx(429'000.0).margin(2000.0));
+        CHECK(center[1].get<double>() == Approx(5'539'000.0).margin(1000.0));
+        ++centers;
+      }
+      CHECK(centers > 0);
+    };
+    check_centers("cells");
+    check_centers("areas");
+    made({"centerline", drawing, "-o", named("strip")});
+    CHECK_THAT(told_by_ogr(named("strip")), !Catch::Contains("EPSG\",4326"));
+    const Json strip = features_by_ogr(named("strip"));
+    REQUIRE(strip["features"].size() == 1);
+    for (const Json& place : strip["features"][0]["geometry"]["coordinates"])
+      CHECK(place[1].get<double>() == Approx(100.0).margin(0.1));
+    // The program reads what it has written.
+    const Json back = made({"compute", named("strip"), "--vertices", "--layers", "points"});
+    CHECK(back["input"]["samples"] == strip["features"][0]["geometry"]["coordinates"].size());
+  }
+}
+
+TEST_CASE("a DXF in space has heights for others") {
+  const TemporaryFolder folder;
+  const std::string strip = folder.write("strip.wkt", "POLYGON ((0 0, 800 0, 800 200, 0 200, 0 0))").string();
+  const std::string file = (folder / "strip.dxf").string();
+  made({"centerline", strip, "--format", "dxf-3d", "-o", file});
+  CHECK_THAT(told_by_ogr(file), Catch::Contains("Feature Count: 1"));
+  const Json places = features_by_ogr(file)["features"][0]["geometry"]["coordinates"];
+  REQUIRE(places.size() > 1);
+  for (const Json& place : places) CHECK(place[2].get<double>() == Approx(100.0).margin(0.1));
+}
+
+TEST_CASE("a map that GDAL cannot read is one line") {
+  const TemporaryFolder folder;
+  const std::string package = contents_of(parcels_as(folder, "a.gpkg"));
+  const std::string flat = contents_of(parcels_as(folder, "a.fgb"));
+  const std::string shapes = contents_of(parcels_as(folder, "a.shp"));
+  for (const std::size_t size : {std::size_t{100}, std::size_t{5000}, package.size() / 2}) {
+    const std::string file = folder.write("cut.gpkg", package.substr(0, size)).string();
+    CHECK_THAT(map_fault(3, {"compute", file}), Catch::Contains("cut.gpkg: "));
+    CHECK_THAT(map_fault(3, {"centerline", file, "--each"}), Catch::Contains("cut.gpkg: "));
+  }
+  for (std::size_t size = 8; size < flat.size(); size += flat.size() / 7)
+    CHECK_THAT(map_fault(3, {"compute", "-"}, flat.substr(0, size)), Catch::Contains("-: "));
+  CHECK_THAT(map_fault(3, {"centerline", "-", "--each"}, shapes), Catch::Contains("-: "));
+  const std::string garbage = folder.write("garbage.gpkg", "garbage\x01\x02").string();
+  CHECK_THAT(map_fault(3, {"compute", garbage}),
+             Catch::Contains("cannot read the map") && !Catch::Contains("vsimem"));
+  CHECK_THAT(map_fault(3, {"centerline", "-", "--each"}, "POLYGON ((0 0, 1 0, 1 1, 0 0))"),
+             Catch::Contains("GeoPackages"));
+  const std::string both = folder.write("strip.wkt", "POLYGON ((0 0, 800 0, 800 200, 0 200, 0 0))").string();
+  CHECK_THAT(map_fault(2, {"export", both, "--layer", "points", "--format", "gpkg-areas"}),
+             Catch::Contains("points"));
+}
