@@ -49,7 +49,7 @@ set(rooms
   "core/structures/poles: core/base core/kernel core/graph core/structures/inputs core/structures/delaunay core/structures/crust core/structures/balls"
   "core/structures/outline: core/base core/kernel core/curves core/document core/graph core/structures/inputs core/structures/triangulation core/structures/delaunay core/structures/crust core/structures/axis"
   "core/layers/parts: core/graph core/structures/*"
-  "core/layers/union: core/layers/parts core/structures/balls"
+  "core/layers/union: core/graph core/layers/parts core/structures/balls core/structures/poles"
   "core/layers: core/base core/draw core/graph core/layers/parts core/layers/union core/structures/*"
   "core/evolutions: core/base core/document core/graph core/structures/crust"
   "core/builtins: core/io core/io/* core/shapes core/graph core/layers core/evolutions core/structures/*"

@@ -2,7 +2,7 @@
 // A layer: a pure function from the rows of a table to primitives, and the bookkeeping that turns change sets into
 // patches.
 //
-// A layer file (core/layers/*.cpp) defines one function `Layer make_xyz_layer(const StructureSet&)`. The emitter looks
+// A layer is made by a function `Layer make_xyz_layer(const StructureSet&)` in core/layers. The emitter looks
 // at one row and writes at most one primitive; it does not know the index of that primitive in the drawing buffer.
 //
 // Smallest use:

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Common code for the layers of a union of balls: each exists once for every family of balls.
 //
-// A file in core/layers/union defines `Layer make_union_name_layer(const UnionFamily&)`; core/layers/layers.cpp lists
-// it and adds one layer for each family, prefixing its id with the family's letter and its name with the family's name.
+// Such a layer is made by a function `Layer make_union_name_layer(const UnionFamily&)` in core/layers/union. The list in
+// union_layers.cpp adds it once for each family, with the letter of the family before its id and the name of the family
+// before its name.
 #pragma once
 
 #include <string>
