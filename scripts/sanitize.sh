@@ -2,7 +2,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Runs tests under sanitizers. Arguments after the first are handed to CTest.
 #
-#   scripts/sanitize.sh [asan]     address and undefined behaviour: geometry, files, the window's model, inputs of fuzzers
+#   scripts/sanitize.sh [asan]     address and undefined behaviour, all three of the following
+#   scripts/sanitize.sh files      ... documents, files, inputs of the fuzzers
+#   scripts/sanitize.sh geometry   ... exactness
+#   scripts/sanitize.sh window     ... the window's model
 #   scripts/sanitize.sh tsan       threads: the engine, saving and recording; before a release
 #   scripts/sanitize.sh python     address and undefined behaviour in the Python module; before a release
 set -uo pipefail
@@ -18,6 +21,21 @@ case $kind in
     # What takes minutes under a sanitizer without reaching other code is left to the release.
     tests='^(test_document|test_exactness|test_io|test_model|fuzz)\.'
     ;;
+  files)
+    kind=asan
+    targets=(test_document test_io fuzzer)
+    tests='^(test_document|test_io|fuzz)\.'
+    ;;
+  geometry)
+    kind=asan
+    targets=(test_exactness)
+    tests='^test_exactness\.'
+    ;;
+  window)
+    kind=asan
+    targets=(test_model)
+    tests='^test_model\.'
+    ;;
   tsan)
     targets=(test_document test_engine test_model)
     tests='^(test_document|test_engine|test_model)\.'
@@ -28,7 +46,7 @@ case $kind in
     targets=(mesecina_python mesecina)
     tests='^python\.test_(experiments|input|results|views)$'
     ;;
-  *) fail "unknown kind '$kind'; there are asan, tsan and python" ;;
+  *) fail "unknown kind '$kind'; there are asan, files, geometry, window, tsan and python" ;;
 esac
 
 "$root/scripts/install_packages.sh" test || exit 1
