@@ -47,7 +47,7 @@ set(rooms
   "core/structures/certificate: core/base core/kernel core/graph core/structures/axis"
   "core/structures/balls: core/base core/kernel core/graph core/structures/inputs core/structures/triangulation core/structures/delaunay core/structures/crust core/structures/axis core/structures/alpha core/structures/filters core/structures/certificate"
   "core/structures/poles: core/base core/kernel core/graph core/structures/inputs core/structures/delaunay core/structures/crust core/structures/balls"
-  "core/structures/outline: core/base core/kernel core/curves core/document core/graph core/structures/inputs core/structures/triangulation core/structures/delaunay core/structures/crust core/structures/axis"
+  "core/structures/outline: core/base core/kernel core/curves core/document core/graph core/structures/inputs core/structures/triangulation core/structures/delaunay core/structures/crust core/structures/axis core/structures/filters/paths"
   "core/layers/parts: core/graph core/structures/*"
   "core/layers/union: core/graph core/layers/parts core/structures/balls core/structures/poles"
   "core/layers: core/base core/draw core/graph core/layers/parts core/layers/union core/structures/*"

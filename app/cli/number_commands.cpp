@@ -83,6 +83,8 @@ void describe_centerline(const Registry& registry, CLI::App& app, CenterlineRequ
                    "there; it stays inside the shape; 0: the axis itself")
       ->capture_default_str();
   centerline->add_flag("--extend", to.is_extended, "Extend free ends straight on to the outline");
+  centerline->add_flag("--exact", to.is_exact,
+                       "Lines of the exact axis of the outlines, with the exact nearest points, instead of samples");
   centerline
       ->add_option("--branches", to.branches, "Lines of each shape at most, the longest first; from 1 to 100000")
       ->capture_default_str();

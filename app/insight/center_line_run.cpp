@@ -14,6 +14,7 @@
 #include "core/base/geometry/quick_length.h"
 #include "core/curves/curve.h"
 #include "core/resampling/resampling.h"
+#include "core/structures/outline/outline_center_lines.h"
 #include "core/workbench/workbench.h"
 
 namespace mes {
@@ -112,26 +113,34 @@ Expected<CenterLines> compute_center_lines(const Registry& registry, const Sampl
   Workbench bench(registry, {.keeps_document = false});
   const auto& lambda = bench.get<LambdaAxis>();
   const auto& angle = bench.get<AngleAxis>();
-  if (auto good = bench.need({lambda.id(), angle.id()}); !good) return std::unexpected(good.error());
+  const auto& outline = bench.get<OutlineAxis>();
+  const std::vector<std::string_view> needed = wish.is_exact ? std::vector<std::string_view>{outline.id()}
+                                                             : std::vector<std::string_view>{lambda.id(), angle.id()};
+  if (auto good = bench.need(needed); !good) return std::unexpected(good.error());
   bench.choose(settings);
   if (auto good = bench.load(data); !good) return std::unexpected(good.error());
   bench.set_on_task(on_task);
   if (auto good = bench.run_or_throw(job); !good) return std::unexpected(good.error());
   const auto& crust = bench.get<OneStepCrust>();
-  CenterLines out =
-      center_lines_of(lambda, crust, branches_of(lambda, bench.get<InnerBalls>(), lambda, angle), wish.request, job);
+  const auto branches = [&] { return branches_of(lambda, bench.get<InnerBalls>(), lambda, angle); };
+  CenterLines out = wish.is_exact ? center_lines_of(outline, wish.request, job)
+                                  : center_lines_of(lambda, crust, branches(), wish.request, job);
   if (!out.are_ends_joined)
     return no_line(ErrorCode::usage,
                    "the two points are nearest to the same end of the axis, or to ends of two shapes");
   if (out.lines.empty()) {
-    const std::string reason = lambda.reason();
+    const std::string reason = !wish.is_exact                  ? lambda.reason()
+                               : outline.graph().edges.empty() ? "no closed outline encloses anything"
+                                                               : "";
     return no_line(ErrorCode::cannot_compute,
                    "there is no centre line: " +
                        (reason.empty() ? "every shape is so compact that its pruned axis is a point" : reason));
   }
   smooth(out, wish.tolerance);
   // Pruned arms reach up to 1 + salience radii; a ray beside them may be somewhat longer.
-  if (wish.is_extended) extend_to_curve(out, bench.get<Delaunay>(), crust, 2.0 * (1.0 + wish.request.least_salience));
+  const double most = 2.0 * (1.0 + wish.request.least_salience);
+  if (wish.is_extended && wish.is_exact) extend_to_outline(out, outline, most);
+  if (wish.is_extended && !wish.is_exact) extend_to_curve(out, bench.get<Delaunay>(), crust, most);
   return out;
 }
 

@@ -18,6 +18,7 @@ class Registry;
 struct CenterLineWish {
   SmoothingTolerance tolerance = kUsualSmoothing;
   bool is_extended = false;   ///< free ends reach the curve
+  bool is_exact = false;      ///< lines of the exact axis of the outlines, without samples
   double lambda_limit = 0.0;  ///< least lambda of the axis that the lines are made of; 0: all of it
   CenterLineRequest request{};
 };

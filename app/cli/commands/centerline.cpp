@@ -100,6 +100,7 @@ Expected<CenterlineJob> centerline_job(const CenterlineRequest& request) {
   if (!tolerance) return std::unexpected(tolerance.error());
   out.wish.tolerance = *tolerance;
   out.wish.is_extended = request.is_extended;
+  out.wish.is_exact = request.is_exact;
   const auto branches = whole_number("--branches", request.branches, 1, kMostBranches);
   if (!branches) return std::unexpected(branches.error());
   out.wish.request.most = static_cast<std::size_t>(*branches);
@@ -221,8 +222,9 @@ Expected<FoundLines> find_lines(const Registry& registry, const CenterlineJob& j
   if (data.positions.empty()) return in_file({ErrorCode::bad_input, "there are no samples and no curves"}, name);
   JobControl control;
   FoundLines out;
-  const Expected<SampleData> chosen =
-      keeps_samples ? Expected<SampleData>(data) : samples_for_center_lines(data, control, out.remark);
+  const Expected<SampleData> chosen = keeps_samples || job.wish.is_exact
+                                          ? Expected<SampleData>(data)
+                                          : samples_for_center_lines(data, control, out.remark);
   if (!chosen) return in_file(chosen.error(), name);
   const SampleData& samples = *chosen;
   CenterLineWish wish = job.wish;

@@ -62,6 +62,7 @@ struct CenterlineRequest {
   std::string prune = "0.5";
   std::string smooth = "25%";
   bool is_extended = false;
+  bool is_exact = false;  ///< lines of the outlines themselves, without samples
   std::string branches = "1";
   std::vector<std::string> between;  ///< two points X,Y, or none
   std::string every;                 ///< spacing of stations; empty: the lines themselves

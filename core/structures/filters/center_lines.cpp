@@ -3,16 +3,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
-#include <limits>
-#include <map>
 #include <unordered_map>
 #include <utility>
-
-#include "core/base/geometry/box_tree.h"
-#include "core/structures/filters/paths/axis_paths.h"
-#include "core/structures/filters/paths/branch_pruning.h"
+#include <vector>
 
 namespace mes {
 namespace {
@@ -36,77 +30,24 @@ Bank bank_at(const Delaunay& delaunay, const OneStepCrust& crust, SiteSlot site)
   return out;
 }
 
-/// The salient branches as a graph. Free ends that the filter cut have no node of the axis, and neither have closed
-/// branches.
-class BranchGraph {
+/// The branches of a filter. Free ends that the filter cut have no node of the axis, and neither have closed branches.
+class FilteredNetwork final : public AxisNetwork {
  public:
-  BranchGraph(const AxisFilter& filter, const OneStepCrust& crust, std::span<const AxisBranch> branches,
-              double least_salience)
-      : filter_(filter), crust_(crust), branches_(branches) {
-    std::vector<PathEdge> edges;
+  FilteredNetwork(const AxisFilter& filter, const OneStepCrust& crust, std::span<const AxisBranch> branches)
+      : filter_(filter), crust_(crust), rows_(branches) {
     for (const AxisBranch& branch : branches) {
+      if (branch.edges.empty()) ++points_;
       if (branch.edges.empty() || !(branch.length > 0.0)) continue;
       const std::uint32_t from = node_of(branch.from, branch.edges.front());
       const std::uint32_t to =
           branch.from.kind == BranchEndKind::none ? from : node_of(branch.to, branch.edges.back());
-      edges.push_back({from, to, branch.length});
+      branches_.push_back({from, to, branch.length});
       row_of_.push_back(static_cast<std::size_t>(&branch - branches.data()));
     }
-    const PathGraph whole(places_.size(), std::move(edges));
-    MergedBranches merged = merge_branches(whole, salient_branches(whole, radii_, least_salience));
-    chains_ = std::move(merged.chains);
-    edges_ = std::move(merged.edges);
-    shapes_ = static_cast<std::size_t>(
-        std::ranges::count_if(branches, [](const AxisBranch& one) { return one.edges.empty(); }));
-    shapes_ += AxisPaths(whole).shape_count();
   }
 
-  AxisPaths paths() const { return AxisPaths(PathGraph(places_.size(), edges_)); }
-  /// Shapes of all branches, and isolated points.
-  std::size_t shapes() const { return shapes_; }
-
-  std::optional<std::uint32_t> end_near(const AxisPaths& paths, Vec2 place) const {
-    std::optional<std::uint32_t> out;
-    for (std::uint32_t node = 0; node < places_.size(); ++node)
-      if (paths.is_free_end(node) && (!out || distance(places_[node], place) < distance(places_[*out], place)))
-        out = node;
-    return out;
-  }
-
-  CenterLine line_of(const AxisPath& path, const AxisPaths& paths) const {
-    CenterLine out;
-    out.is_closed = path.is_closed;
-    const std::uint32_t from = paths.graph().tail(path.steps.front());
-    out.is_free = {paths.is_free_end(from), paths.is_free_end(paths.graph().head(path.steps.back()))};
-    out.axis.push_back(places_[from]);
-    out.joints.push_back(0);
-    for (const PathStep step : path.steps) {
-      const std::vector<PathStep>& chain = chains_[step.edge];
-      for (std::size_t i = 0; i < chain.size(); ++i) {
-        const PathStep part = step.is_backwards ? chain[chain.size() - 1 - i].reversed() : chain[i];
-        add_branch(branches_[row_of_[part.edge]], part.is_backwards, out);
-      }
-      // Lines meet at the same doubles. A step that is shorter than doubles can tell has no point of its own.
-      if (out.axis.size() > 1) out.axis.back() = places_[paths.graph().head(step)];
-      if (out.joints.empty() || out.joints.back() + 1 < out.axis.size()) out.joints.push_back(out.axis.size() - 1);
-    }
-    return out;
-  }
-
- private:
-  std::uint32_t node_of(const AxisBranch::End& end, EdgeSlot edge) {
-    const auto next = static_cast<std::uint32_t>(places_.size());
-    if (end.node != kNoSlot) {
-      const auto [at, is_new] = nodes_.try_emplace(end.node.index(), next);
-      if (!is_new) return at->second;
-    }
-    const Delaunay& delaunay = filter_.delaunay();
-    places_.push_back(end.place);
-    radii_.push_back(distance(end.place, delaunay.site_position(delaunay.edge(edge).v[0])));
-    return next;
-  }
-
-  void add_branch(const AxisBranch& branch, bool is_backwards, CenterLine& out) const {
+  void append(std::size_t number, bool is_backwards, CenterLine& line) const override {
+    const AxisBranch& branch = rows_[row_of_[number]];
     const Delaunay& delaunay = filter_.delaunay();
     const std::size_t n = branch.edges.size();
     for (std::size_t i = 0; i < n; ++i) {
@@ -114,162 +55,41 @@ class BranchGraph {
       Vec2 begin = filter_.kept_end(edge, 0);
       Vec2 end = filter_.kept_end(edge, 1);
       // Ends of edges at one node may differ in their last bits.
-      const Vec2 here = out.axis.back();
+      const Vec2 here = line.axis.back();
       if (distance(end, here) < distance(begin, here)) std::swap(begin, end);
       if (end == here) continue;
       std::array<Bank, 2> banks{bank_at(delaunay, crust_, delaunay.edge(edge).v[0]),
                                 bank_at(delaunay, crust_, delaunay.edge(edge).v[1])};
       // The axis runs between its two samples, at a right angle to their difference.
       if (cross(end - begin, banks[0].sample - banks[1].sample) < 0.0) std::swap(banks[0], banks[1]);
-      out.axis.push_back(end);
-      out.banks.push_back(banks);
+      line.axis.push_back(end);
+      line.banks.push_back(banks);
     }
+  }
+
+ private:
+  std::uint32_t node_of(const AxisBranch::End& end, EdgeSlot edge) {
+    const auto next = static_cast<std::uint32_t>(nodes_.size());
+    if (end.node != kNoSlot) {
+      const auto [at, is_new] = number_of_.try_emplace(end.node.index(), next);
+      if (!is_new) return at->second;
+    }
+    const Delaunay& delaunay = filter_.delaunay();
+    return add_node(end.place, distance(end.place, delaunay.site_position(delaunay.edge(edge).v[0])));
   }
 
   const AxisFilter& filter_;
   const OneStepCrust& crust_;
-  std::span<const AxisBranch> branches_;
-  std::unordered_map<RowNumber, std::uint32_t> nodes_;
-  std::vector<Vec2> places_;         // of the nodes of the graph
-  std::vector<double> radii_;        // of their balls
-  std::vector<std::size_t> row_of_;  // the branch of each edge before merging
-  std::vector<PathEdge> edges_;
-  std::vector<std::vector<PathStep>> chains_;
-  std::size_t shapes_ = 0;
+  std::span<const AxisBranch> rows_;
+  std::vector<std::size_t> row_of_;                         // of each branch of the network
+  std::unordered_map<RowNumber, std::uint32_t> number_of_;  // of the nodes of the axis
 };
-
-void turn_round(CenterLine& line) {
-  std::ranges::reverse(line.axis);
-  std::ranges::reverse(line.banks);
-  for (auto& banks : line.banks) std::swap(banks[0], banks[1]);
-  std::ranges::reverse(line.joints);
-  for (std::size_t& joint : line.joints) joint = line.axis.size() - 1 - joint;
-  std::swap(line.is_free[0], line.is_free[1]);
-}
-
-struct Wall {
-  Vec2 a{}, b{};
-};
-
-/// The distance at which a ray first meets a wall; more than `most` if it meets none so near. A ray through a sample meets one of the
-/// two walls there, since both see the sample on the same side.
-double way_to_wall(const BoxTree<Wall>& walls, Vec2 from, Vec2 direction, double most) {
-  double out = std::nextafter(most, std::numeric_limits<double>::infinity());
-  const auto may_meet = [&](const Box2& box, double /*reach*/) {
-    double low = 0.0;
-    double high = out;
-    for (const auto& [at, way, first, last] : {std::array{from.x, direction.x, box.low.x, box.high.x},
-                                               std::array{from.y, direction.y, box.low.y, box.high.y}}) {
-      if (way == 0.0) {
-        if (at < first || at > last) return false;
-        continue;
-      }
-      const double one = (first - at) / way;
-      const double other = (last - at) / way;
-      low = std::max(low, std::min(one, other));
-      high = std::min(high, std::max(one, other));
-    }
-    const double margin = 1e-9 * (std::abs(low) + length(from) + length(box.high - box.low));
-    return low <= high + margin;
-  };
-  walls.visit_where(may_meet, [&](const Wall& wall) {
-    const double a = cross(direction, wall.a - from);
-    const double b = cross(direction, wall.b - from);
-    if ((a < 0.0) == (b < 0.0)) return;
-    const double share = a / (a - b);
-    const double way = dot((1.0 - share) * (wall.a - from) + share * (wall.b - from), direction);
-    if (way >= 0.0) out = std::min(out, way);
-  });
-  return out;
-}
-
-/// Direction of the line at its end, from one radius before it.
-Vec2 direction_at_end(std::span<const CenterLine::Point> points, double radius, bool is_first) {
-  const std::size_t n = points.size();
-  const auto at = [&](std::size_t i) { return points[is_first ? i : n - 1 - i].place; };
-  const Vec2 end = at(0);
-  Vec2 from = end;
-  double left = radius;
-  for (std::size_t i = 1; i < n && left > 0.0; ++i) {
-    const double piece = distance(at(i - 1), at(i));
-    from = at(i - 1) + (piece > left ? left / piece : 1.0) * (at(i) - at(i - 1));
-    left -= piece;
-  }
-  const double size = distance(from, end);
-  return size > 0.0 ? (1.0 / size) * (end - from) : Vec2{};
-}
 
 }  // namespace
 
 CenterLines center_lines_of(const AxisFilter& filter, const OneStepCrust& crust, std::span<const AxisBranch> branches,
                             const CenterLineRequest& request, JobControl& job) {
-  const BranchGraph graph(filter, crust, branches, request.least_salience);
-  AxisPaths paths = graph.paths();
-  CenterLines out;
-  out.points = graph.shapes() - paths.shape_count();
-  std::vector<AxisPath> found;
-  if (request.between) {
-    const auto from = graph.end_near(paths, request.between->first);
-    const auto to = graph.end_near(paths, request.between->second);
-    auto path = from && to && *from != *to ? paths.between(*from, *to) : std::nullopt;
-    out.are_ends_joined = path.has_value();
-    if (path) found.push_back(std::move(*path));
-  } else {
-    found = paths.main_lines(request.most, job);
-  }
-
-  // Shapes by the length of their first line.
-  std::vector<double> lengths(paths.shape_count(), 0.0);
-  for (const AxisPath& path : found)
-    if (lengths[path.shape] == 0.0) lengths[path.shape] = path.length;
-  std::ranges::stable_sort(found, [&](const AxisPath& a, const AxisPath& b) {
-    return a.shape != b.shape &&
-           (lengths[a.shape] != lengths[b.shape] ? lengths[a.shape] > lengths[b.shape] : a.shape < b.shape);
-  });
-  std::size_t shape = 0;
-  std::size_t rank = 0;
-  for (std::size_t i = 0; i < found.size(); ++i) {
-    const bool is_same = i != 0 && found[i].shape == found[i - 1].shape;
-    rank = is_same ? rank + 1 : 0;
-    if (i != 0 && !is_same) ++shape;
-    CenterLine line = graph.line_of(found[i], paths);
-    if (line.banks.empty()) continue;  // shorter than doubles can tell
-    if (line.is_free == std::array{true, true} && !request.between &&
-        lexicographically_less(line.axis.back(), line.axis.front()))
-      turn_round(line);
-    line.shape = shape;
-    line.rank = rank;
-    take_axis(line);
-    out.lines.push_back(std::move(line));
-  }
-  return out;
-}
-
-void smooth(CenterLines& set, const SmoothingTolerance& tolerance) {
-  if (!(tolerance.length > 0.0) && !(tolerance.share > 0.0)) return;
-  struct Joint {
-    std::size_t line = 0;
-    double along = 0.0;
-  };
-  std::map<std::pair<double, double>, Joint> joints;
-  for (std::size_t i = 0; i < set.lines.size(); ++i) {
-    CenterLine& line = set.lines[i];
-    const auto key = [&](std::size_t point) { return std::pair(line.axis[point].x, line.axis[point].y); };
-    std::array<std::optional<Vec2>, 2> ends;
-    for (const std::size_t end : {std::size_t{0}, std::size_t{1}}) {
-      if (line.is_closed || line.is_free[end]) continue;
-      const auto joint = joints.find(key(end == 0 ? 0 : line.axis.size() - 1));
-      if (joint != joints.end()) ends[end] = join_at(set.lines[joint->second.line], joint->second.along);
-    }
-    smooth(line, tolerance, ends);
-    for (const std::size_t joint : line.joints) {
-      const auto [at, is_new] = joints.try_emplace(key(joint), Joint{i, along_of(line, joint)});
-      // The line meets itself at its end.
-      const bool is_last = joint + 1 == line.axis.size();
-      if (!is_new && at->second.line == i && is_last && !line.is_closed)
-        line.points.back().place = join_at(line, at->second.along);
-    }
-  }
+  return center_lines_of(FilteredNetwork(filter, crust, branches), request, job);
 }
 
 void extend_to_curve(CenterLines& set, const Delaunay& delaunay, const OneStepCrust& crust, double most) {
@@ -279,32 +99,7 @@ void extend_to_curve(CenterLines& set, const Delaunay& delaunay, const OneStepCr
     if (!row.is_alive() || !is_on_curve(crust, edge)) continue;
     walls.push_back({delaunay.site_position(row.v[0]), delaunay.site_position(row.v[1])});
   }
-  BoxTree<Wall> tree;
-  tree.build(
-      std::span<const Wall>(walls),
-      [](const Wall& wall) {
-        TreeBounds out;
-        out.box.add(wall.a);
-        out.box.add(wall.b);
-        return out;
-      },
-      [](const Wall&, std::uint32_t) {});
-  for (CenterLine& line : set.lines) {
-    const auto end_of = [&](bool is_first) -> std::optional<CenterLine::Point> {
-      const CenterLine::Point& end = is_first ? line.points.front() : line.points.back();
-      const Vec2 sample = (is_first ? line.banks.front() : line.banks.back())[0].sample;
-      const double radius = distance(sample, end.place);
-      const Vec2 direction = direction_at_end(line.points, radius, is_first);
-      const double way = direction == Vec2{} ? 0.0 : way_to_wall(tree, end.place, direction, most * radius);
-      if (!(way > 0.0) || way > most * radius) return std::nullopt;
-      return CenterLine::Point{end.place + way * direction, end.along};
-    };
-    if (line.is_closed) continue;
-    const auto first = line.is_free[0] ? end_of(true) : std::nullopt;
-    const auto last = line.is_free[1] ? end_of(false) : std::nullopt;
-    if (first) line.points.insert(line.points.begin(), *first);
-    if (last) line.points.push_back(*last);
-  }
+  extend(set, walls, most);
 }
 
 }  // namespace mes

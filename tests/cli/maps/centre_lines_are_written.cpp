@@ -112,6 +112,24 @@ TEST_CASE("pruning, smoothing and branches are chosen") {
   CHECK(ends.back()[1].get<double>() > 1.99);
 }
 
+TEST_CASE("the exact axis of an outline has an exact line, however thin the outline is") {
+  const Json strip = Json::parse(lines_written({"-", "--exact", "--smooth", "0"}, kStrip));
+  REQUIRE(strip["features"].size() == 1);
+  CHECK(strip["features"][0]["properties"]["length"] == 6.0);
+  CHECK(strip["features"][0]["properties"]["width_least"] == 2.0);
+  CHECK(strip["features"][0]["properties"]["width_largest"] == 2.0);
+  const auto rows =
+      rows_of(lines_written({"-", "--exact", "--smooth", "0", "--every", "3", "--format", "csv"}, kStrip));
+  REQUIRE(rows.size() == 4);
+  CHECK(rows[2] == std::vector<std::string>{"1", "1", "3", "4", "1", "2", "4", "2", "4", "0", "0"});
+  const Json thin =
+      Json::parse(lines_written({"-", "--exact", "--extend"}, "POLYGON ((0 0, 4000000 0, 4000000 1, 0 1, 0 0))"));
+  REQUIRE(thin["features"].size() == 1);
+  CHECK(thin["features"][0]["properties"]["length"].get<double>() == Approx(4e6).epsilon(1e-12));
+  CHECK_THAT(line_fault(1, {"-", "--exact"}, "0 0\n8 0\n8 2\n0 2\n"),
+             Catch::Contains("there is no centre line: no closed outline encloses anything"));
+}
+
 TEST_CASE("stations have widths, both banks and a direction") {
   const std::string wedge = "POLYGON ((0 0, 10 -1, 10 1, 0 0))";
   const auto rows =

@@ -42,7 +42,7 @@ class AxisByLength {
     const double share = whole > 0.0 ? std::clamp((along - lengths_[piece]) / whole, 0.0, 1.0) : 0.0;
     return {piece, (1.0 - share) * line_.axis[piece] + share * line_.axis[piece + 1]};
   }
-  double radius(const Place& at) const { return distance(at.place, line_.banks[at.piece][0].sample); }
+  double radius(const Place& at) const { return radius_at(line_.banks[at.piece][0], at.place); }
   double start_of(std::size_t piece) const { return lengths_[piece]; }
 
  private:
@@ -109,6 +109,10 @@ Vec2 foot_on(const Bank& bank, Vec2 place) {
   const Vec2 a = nearest_on_segment(bank.sample, bank.neighbours[0], place);
   const Vec2 b = nearest_on_segment(bank.sample, bank.neighbours[1], place);
   return distance(a, place) <= distance(b, place) ? a : b;
+}
+
+double radius_at(const Bank& bank, Vec2 place) {
+  return distance(bank.is_side ? foot_on(bank, place) : bank.sample, place);
 }
 
 void take_axis(CenterLine& line) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A line along the axis of a shape: smoothed inside the balls of the axis, and measured across.
 //
-// A *bank* is the boundary near a sample: the sample and its two neighbours along the curve, as the crust has them. The
-// *foot* of a point on a bank is the nearest point of that piece of the boundary.
+// A *bank* is a piece of the boundary: a side or a vertex of an outline, or a sample and its two neighbours along the
+// curve, as the crust has them. The *foot* of a point on a bank is the nearest point of that piece of the boundary.
 //
 // Guarantees of `smoothed`, with the tolerance t at each point of the axis:
 //  1. Each point of the line lies within t of the axis, and each point of the axis within t of the line.
@@ -31,15 +31,18 @@
 namespace mes {
 
 struct Bank {
-  Vec2 sample{};
-  std::array<Vec2, 2> neighbours{};  ///< the sample itself where the curve ends or branches
+  Vec2 sample{};                     ///< or an end of a side
+  std::array<Vec2, 2> neighbours{};  ///< the sample itself where the curve ends or branches; the other end of a side
+  bool is_side = false;              ///< the ball touches the side, not a sample
 };
 Vec2 foot_on(const Bank& bank, Vec2 place);
+/// Radius of the ball about a point of the axis next to the bank.
+double radius_at(const Bank& bank, Vec2 place);
 
 struct CenterLine {
   std::vector<Vec2> axis;  ///< from end to end, no point twice in a row; a closed line repeats the first at the end
-  /// Left and right bank of each piece of the axis; all points of the piece have the same distance from both samples,
-  /// and no other sample is nearer.
+  /// Left and right bank of each piece of the axis; all points of the piece have the same distance from both, as
+  /// `radius_at` measures it, and no other bank is nearer.
   std::vector<std::array<Bank, 2>> banks;
   bool is_closed = false;
   std::vector<std::size_t> joints;  ///< points of the axis where another line may begin or end, ascending
