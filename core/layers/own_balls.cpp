@@ -4,54 +4,52 @@
 #include "core/structures/inputs/scaled_user_balls.h"
 
 namespace mes {
+namespace {
 
-Layer make_b_inner_disks_layer(const StructureSet& set) {
+/// The balls as the kind of the descriptor. Those of radius 0 are points only.
+Layer own_layer(const StructureSet& set, LayerDescriptor descriptor) {
   const auto& balls = set.get<ScaledUserBalls>();
-  return make_layer({.id = "b-inner-disks",
-                     .name = "Own balls: disks",
-                     .tooltip = "Disks of your own balls",
-                     .group = LayerGroup::union_b,
-                     .of_any_family = "inner-disks",
-                     .visible_at_start = true,
-                     .scalar = "radius",
-                     .style = {.color = palette::orange, .opacity = 0.2},
-                     .kinds = {PrimitiveKind::disk}},
-                    {&balls},
+  const PrimitiveKind kind = descriptor.kinds.front();
+  return make_layer(std::move(descriptor), {&balls},
                     table_part(
-                        {PrimitiveKind::disk}, [&balls] { return balls.row_count(); }, balls.changes(),
-                        [&balls](BallSlot row, Instance& out) {
+                        {kind}, [&balls] { return balls.row_count(); }, balls.changes(),
+                        [&balls, kind](BallSlot row, Instance& out) {
                           if (!balls.is_alive(row)) return;
                           const Disk disk = balls.disk(row);
-                          if (disk.radius > 0.0) out.disk(disk.center, disk.radius, disk.radius);
+                          if (disk.radius > 0.0 || kind == PrimitiveKind::point) draw_ball(kind, disk, out);
                         },
                         ElementType{ElementKind::own_ball}));
+}
+
+}  // namespace
+
+Layer make_b_inner_disks_layer(const StructureSet& set) {
+  return own_layer(set, {.id = "b-inner-disks",
+                         .name = "Own balls: disks",
+                         .tooltip = "Disks of your own balls",
+                         .group = LayerGroup::union_b,
+                         .of_any_family = "inner-disks",
+                         .visible_at_start = true,
+                         .scalar = "radius",
+                         .style = {.color = palette::orange, .opacity = 0.2},
+                         .kinds = {PrimitiveKind::disk}});
 }
 
 Layer make_b_inner_circles_layer(const StructureSet& set) {
-  const auto& balls = set.get<ScaledUserBalls>();
-  return make_layer({.id = "b-inner-circles",
-                     .name = "Own balls: circles",
-                     .tooltip = "Circles of your own balls",
-                     .group = LayerGroup::union_b,
-                     .of_any_family = "inner-circles",
-                     .visible_at_start = true,
-                     .scalar = "radius",
-                     .style = {.color = palette::orange, .opacity = 0.6},
-                     .kinds = {PrimitiveKind::circle}},
-                    {&balls},
-                    table_part(
-                        {PrimitiveKind::circle}, [&balls] { return balls.row_count(); }, balls.changes(),
-                        [&balls](BallSlot row, Instance& out) {
-                          if (!balls.is_alive(row)) return;
-                          const Disk disk = balls.disk(row);
-                          if (disk.radius > 0.0) out.circle(disk.center, disk.radius, disk.radius);
-                        },
-                        ElementType{ElementKind::own_ball}));
+  return own_layer(set, {.id = "b-inner-circles",
+                         .name = "Own balls: circles",
+                         .tooltip = "Circles of your own balls",
+                         .group = LayerGroup::union_b,
+                         .of_any_family = "inner-circles",
+                         .visible_at_start = true,
+                         .scalar = "radius",
+                         .style = {.color = palette::orange, .opacity = 0.6},
+                         .kinds = {PrimitiveKind::circle}});
 }
 
 Layer make_b_inner_centers_layer(const StructureSet& set) {
-  const auto& balls = set.get<ScaledUserBalls>();
-  return make_layer(
+  return own_layer(
+      set,
       {.id = "b-inner-centers",
        .name = "Own balls: centres",
        .tooltip = "Centres of your own balls; drag one to move its ball, turn the wheel on it to change the radius",
@@ -61,16 +59,7 @@ Layer make_b_inner_centers_layer(const StructureSet& set) {
        .visible_at_start = true,
        .scalar = "radius",
        .style = {.color = palette::orange, .point_size_px = 4},
-       .kinds = {PrimitiveKind::point}},
-      {&balls},
-      table_part(
-          {PrimitiveKind::point}, [&balls] { return balls.row_count(); }, balls.changes(),
-          [&balls](BallSlot row, Instance& out) {
-            if (!balls.is_alive(row)) return;
-            const Disk disk = balls.disk(row);
-            out.point(disk.center, disk.radius);
-          },
-          ElementType{ElementKind::own_ball}));
+       .kinds = {PrimitiveKind::point}});
 }
 
 }  // namespace mes

@@ -120,4 +120,11 @@ inline double contact_spread(const Delaunay& delaunay, EdgeSlot edge) {
   return 0.5 * distance(delaunay.site_position(row.v[0]), delaunay.site_position(row.v[1]));
 }
 
+/// Draws a ball as a disk, a circle or its centre, with the radius as scalar.
+inline void draw_ball(PrimitiveKind kind, const Disk& ball, Instance& out) {
+  if (kind == PrimitiveKind::disk) out.disk(ball.center, ball.radius, ball.radius);
+  if (kind == PrimitiveKind::circle) out.circle(ball.center, ball.radius, ball.radius);
+  if (kind == PrimitiveKind::point) out.point(ball.center, ball.radius);
+}
+
 }  // namespace mes

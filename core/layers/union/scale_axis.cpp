@@ -3,27 +3,34 @@
 #include "core/layers/parts/family.h"
 
 namespace mes {
+namespace {
 
-Layer make_union_scale_axis_disks_layer(const UnionFamily& family) {
+/// Balls along the scale axis, with their radii divided by the factor again, as the kind of the descriptor.
+Layer shrunk_layer(const UnionFamily& family, LayerDescriptor descriptor) {
   const AxisBallUnion& balls = family.scaled;
-  Layer layer =
-      scale_layer(family, balls,
-                  {.id = "scale-axis-disks",
-                   .name = "scale axis disks",
-                   .tooltip = "Disks along the scale axis, with their radii divided by scale-axis-factor again",
-                   .scalar = "radius",
-                   .style = {.color = palette::blue, .opacity = 0.15},
-                   .kinds = {PrimitiveKind::disk}},
-                  sampled_part(
-                      {PrimitiveKind::disk}, family.scaled_sampling.medial(),
-                      [&balls](const Disk& disk, Instance& out) {
-                        const double radius = disk.radius / balls.factor();
-                        out.disk(disk.center, radius, radius);
-                      },
-                      &family.scaled_sampling));
+  const PrimitiveKind kind = descriptor.kinds.front();
+  Layer layer = scale_layer(family, balls, std::move(descriptor),
+                            sampled_part(
+                                {kind}, family.scaled_sampling.medial(),
+                                [&balls, kind](const Disk& disk, Instance& out) {
+                                  draw_ball(kind, {disk.center, disk.radius / balls.factor()}, out);
+                                },
+                                &family.scaled_sampling));
   layer.structures.push_back(&family.scaled_sampling);
   layer.descriptor.structures.emplace_back(family.scaled_sampling.id());
   return layer;
+}
+
+}  // namespace
+
+Layer make_union_scale_axis_disks_layer(const UnionFamily& family) {
+  return shrunk_layer(family,
+                      {.id = "scale-axis-disks",
+                       .name = "scale axis disks",
+                       .tooltip = "Disks along the scale axis, with their radii divided by scale-axis-factor again",
+                       .scalar = "radius",
+                       .style = {.color = palette::blue, .opacity = 0.15},
+                       .kinds = {PrimitiveKind::disk}});
 }
 
 Layer make_union_scale_axis_grown_disks_layer(const UnionFamily& family) {
@@ -35,30 +42,18 @@ Layer make_union_scale_axis_grown_disks_layer(const UnionFamily& family) {
                       .style = {.color = palette::sky, .opacity = 0.25, .flat = true},
                       .kinds = {PrimitiveKind::disk}},
                      ball_part(PrimitiveKind::disk, family.scaled, [](BallState, const Disk& disk, Instance& out) {
-                       out.disk(disk.center, disk.radius, disk.radius);
+                       draw_ball(PrimitiveKind::disk, disk, out);
                      }));
 }
 
 Layer make_union_scale_axis_circles_layer(const UnionFamily& family) {
-  const AxisBallUnion& balls = family.scaled;
-  Layer layer =
-      scale_layer(family, balls,
-                  {.id = "scale-axis-circles",
-                   .name = "scale axis circles",
-                   .tooltip = "Circles along the scale axis, with their radii divided by scale-axis-factor again",
-                   .scalar = "radius",
-                   .style = {.color = palette::blue, .opacity = 0.6},
-                   .kinds = {PrimitiveKind::circle}},
-                  sampled_part(
-                      {PrimitiveKind::circle}, family.scaled_sampling.medial(),
-                      [&balls](const Disk& disk, Instance& out) {
-                        const double radius = disk.radius / balls.factor();
-                        out.circle(disk.center, radius, radius);
-                      },
-                      &family.scaled_sampling));
-  layer.structures.push_back(&family.scaled_sampling);
-  layer.descriptor.structures.emplace_back(family.scaled_sampling.id());
-  return layer;
+  return shrunk_layer(family,
+                      {.id = "scale-axis-circles",
+                       .name = "scale axis circles",
+                       .tooltip = "Circles along the scale axis, with their radii divided by scale-axis-factor again",
+                       .scalar = "radius",
+                       .style = {.color = palette::blue, .opacity = 0.6},
+                       .kinds = {PrimitiveKind::circle}});
 }
 
 Layer make_union_scale_axis_boundary_layer(const UnionFamily& family) {
