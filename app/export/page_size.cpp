@@ -25,7 +25,7 @@ constexpr std::array kPresets{PagePreset{"one-column", "84mm"}, PagePreset{"two-
 
 // The largest page of PDF is 200 inches wide.
 constexpr double kLeast = kMillimeter;
-constexpr double kMost = 5080.0 * kMillimeter;
+constexpr double kLargestPage = 5080.0 * kMillimeter;
 
 std::unexpected<Error> usage_error(std::string text) {
   return std::unexpected(Error{ErrorCode::usage, std::move(text), {}, 0, 0});
@@ -70,7 +70,8 @@ Expected<PageSize> parse_page_size(const std::string& text) {
     if (!out.height) return refused(text);
   }
   for (const double side : {out.width, out.height.value_or(out.width)})
-    if (side < kLeast || side > kMost) return usage_error("takes sides from 1 mm to 5080 mm, not " + in_quotes(text));
+    if (side < kLeast || side > kLargestPage)
+      return usage_error("takes sides from 1 mm to 5080 mm, not " + in_quotes(text));
   return out;
 }
 

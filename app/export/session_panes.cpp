@@ -13,7 +13,7 @@ namespace mes {
 namespace {
 
 // for a parameter, whose range contains no more steps
-constexpr std::uint64_t kMostSteps = 100'000;
+constexpr std::uint64_t kMostPaneSteps = 100'000;
 
 Document before_last_edit(const SessionPanes::Moment& now) {
   Document before = now.document;
@@ -42,7 +42,7 @@ double first_value(const ParameterMove& move, double value, const EvolutionChoic
 SessionPanes::SessionPanes(const Registry& registry, const Session& session)
     : registry_(registry),
       evolution_(choice_of(registry, session.evolution)),
-      steps_(std::min(session.evolution.step, kMostSteps)),
+      steps_(std::min(session.evolution.step, kMostPaneSteps)),
       views_(session.pane_views) {
   list_.set(session.panes);
   list_.resolve(registry);

@@ -17,7 +17,7 @@ namespace mes {
 namespace {
 
 /// At most this many samples compete for room.
-constexpr std::size_t kMost = 10'000;
+constexpr std::size_t kMostTexts = 10'000;
 
 /// 1, 5, 10, 50, 100, ...: each divides the next, so that a multiple of one is a multiple of all smaller ones.
 constexpr std::uint64_t next_step(std::uint64_t step) {
@@ -75,10 +75,10 @@ class Candidates {
 
   void collect() {
     const std::size_t count = document_.sample_count();
-    if (count <= kMost) return add_all(1);
+    if (count <= kMostTexts) return add_all(1);
     const std::size_t seen = estimate();
     std::uint64_t step = 1;
-    while (seen / step > kMost) step = next_step(step);
+    while (seen / step > kMostTexts) step = next_step(step);
     // A look-up by number is many times as fast as one by position.
     constexpr std::size_t kQuicker = 16;
     const std::size_t numbers = document_.next_id().value - document_.first_id().value;
@@ -130,9 +130,9 @@ class Candidates {
 
 /// The chosen numbers, in a hash table of the cells that contain their samples: a cell is as wide as the narrowest
 /// number and as high as all. Several cells may share an entry of the table, so each number found there is compared.
-class Cells {
+class TextCells {
  public:
-  Cells(std::span<const Candidate> candidates, Vec2 size, double widest)
+  TextCells(std::span<const Candidate> candidates, Vec2 size, double widest)
       : candidates_(candidates),
         size_(size),
         reach_(static_cast<std::int64_t>(std::ceil(widest / size.x))),
@@ -202,7 +202,7 @@ std::vector<SampleSlot> numbers_with_room(const TextSource& source, const TextPa
   Candidates found(source, part, room);
   std::vector<Candidate> candidates = found.take();
   std::ranges::sort(candidates, [](const Candidate& a, const Candidate& b) { return a.precedes(b); });
-  Cells cells(candidates, {room.digit + room.apart, room.height}, found.widest());
+  TextCells cells(candidates, {room.digit + room.apart, room.height}, found.widest());
   const double width = part.box.width() / part.units_per_px;
   const double height = part.box.height() / part.units_per_px;
   std::vector<SampleSlot> out;

@@ -161,10 +161,10 @@ Json as_json(const std::vector<CurveOrder::Contour>& contours, const std::vector
   return out;
 }
 
-using Contours = std::vector<std::pair<bool, std::vector<std::size_t>>>;
+using LinkedContours = std::vector<std::pair<bool, std::vector<std::size_t>>>;
 
 /// Reads contours, whose indices must be below the count.
-bool read_contours(const Json& lists, std::size_t count, std::optional<Contours>& out) {
+bool read_contours(const Json& lists, std::size_t count, std::optional<LinkedContours>& out) {
   if (!lists.contains("contours")) return true;
   out.emplace();
   for (const Json& one : lists["contours"]) {
@@ -224,7 +224,7 @@ struct DocumentLink::Change {
   std::vector<std::pair<std::size_t, std::array<double, 3>>> moved_balls;
   std::vector<std::size_t> removed_balls;
   std::vector<std::array<double, 3>> inserted_balls;
-  std::optional<Contours> contours;
+  std::optional<LinkedContours> contours;
   Settings settings;
 };
 

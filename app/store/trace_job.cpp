@@ -14,11 +14,11 @@ namespace mes {
 namespace {
 
 constexpr int kLongestSide = 1024;
-constexpr std::uint64_t kMostBytes = std::uint64_t{1} << 28U;
+constexpr std::uint64_t kMostPictureBytes = std::uint64_t{1} << 28U;
 
 Expected<TracePreview> read_preview(const std::filesystem::path& file, const std::stop_token& stop) try {
   JobControl job(stop);
-  const auto bytes = read_regular_file(file, {.job = &job, .most_bytes = kMostBytes});
+  const auto bytes = read_regular_file(file, {.job = &job, .most_bytes = kMostPictureBytes});
   if (!bytes) return std::unexpected(bytes.error());
   auto pixels = decode_pixels(std::as_bytes(std::span(*bytes)), file.string(), 0, kMostPicturePixels,
                               PictureTurn::upright, &job);

@@ -27,7 +27,7 @@ IntPoint rounded(Vec2 p) {
 
 /// The number of straight pieces that approximate a piece within the tolerance. n equal steps of a curve have an error
 /// of at most |second derivative| / (8 n^2).
-int steps_of(const Piece& piece, double tolerance) {
+int chord_count(const Piece& piece, double tolerance) {
   const auto& p = piece.points;
   const auto bend = [](Vec2 a, Vec2 b, Vec2 c) { return length(a - 2.0 * b + c); };
   constexpr double kMost = 256.0;
@@ -50,7 +50,7 @@ Path path_of(const PlaneCurve& contour, double tolerance) {
     if (out.empty() || out.back() != p) out.push_back(p);
   };
   contour.for_each_piece([&](const Piece& piece) {
-    const int steps = steps_of(piece, tolerance);
+    const int steps = chord_count(piece, tolerance);
     for (int i = 0; i < steps; ++i) add(rounded(piece.at(static_cast<double>(i) / steps)));
   });
   while (out.size() > 1 && out.back() == out.front()) out.pop_back();

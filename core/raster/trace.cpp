@@ -18,7 +18,7 @@ namespace {
 // If at least this share of all contour points lies between values of the two sides, the picture is two-valued.
 constexpr double kShareOfSharp = 0.6;
 
-std::unexpected<Error> refused(ErrorCode code, std::string text) {
+std::unexpected<Error> no_trace(ErrorCode code, std::string text) {
   return std::unexpected(Error{code, std::move(text)});
 }
 
@@ -58,13 +58,13 @@ Sides sides_of(const Histogram& histogram, Level level) {
 Expected<Level> chosen_level(const Histogram& histogram, const TraceRequest& request) {
   if (request.threshold) {
     if (*request.threshold < 0 || *request.threshold > 254)
-      return refused(ErrorCode::usage, "a threshold is a grey value from 0 to 254");
+      return no_trace(ErrorCode::usage, "a threshold is a grey value from 0 to 254");
     return Level{*request.threshold};
   }
   if (const auto level = otsu_level(histogram)) return *level;
   const auto only = std::ranges::find_if(histogram, [](std::size_t count) { return count != 0; });
-  return refused(ErrorCode::bad_input,
-                 fmt::format("no figure stands out: every pixel has the grey value {}", only - histogram.begin()));
+  return no_trace(ErrorCode::bad_input,
+                  fmt::format("no figure stands out: every pixel has the grey value {}", only - histogram.begin()));
 }
 
 /// Blur in pixels for a noisy picture; 0 if it is not noisy, or if the grains are the picture.
@@ -181,11 +181,11 @@ Expected<Tracing> traced(Expected<Outlined> found, const GrayImage& image, const
   const PixelContours& contours = found->contours;
   const std::string side = side_words(out.level, out.is_figure_light);
   if (contours.kept.empty() && contours.specks == 0)
-    return refused(ErrorCode::bad_input, "no figure stands out: nothing is " + side);
+    return no_trace(ErrorCode::bad_input, "no figure stands out: nothing is " + side);
   if (contours.kept.empty())
-    return refused(ErrorCode::bad_input,
-                   fmt::format("no figure stands out: there are only specks {}, the largest of {:.4g} square pixels",
-                               side, contours.largest_speck * request.pixel_area));
+    return no_trace(ErrorCode::bad_input,
+                    fmt::format("no figure stands out: there are only specks {}, the largest of {:.4g} square pixels",
+                                side, contours.largest_speck * request.pixel_area));
   out.is_two_valued = is_two_valued(contours);
   const Box2 picture{{0.0, 0.0}, {static_cast<double>(image.width), static_cast<double>(image.height)}};
   out.curves.curves = outlines_of(contours.kept, out.counts.blur, picture, job);

@@ -198,7 +198,7 @@ Parameter whole(const char* id, const char* explanation, double value) {
 }
 
 constexpr std::size_t kUsual = 400;
-constexpr std::size_t kFew = 24;
+constexpr std::size_t kFewPoints = 24;
 
 }  // namespace
 
@@ -247,27 +247,33 @@ std::vector<ShapeDescriptor> point_shapes() {
        {},
        kUsual,
        hexagonal_lattice},
-      {"cocircular", "Cocircular points", "points exactly on a circle about the origin", {}, {}, kFew, cocircular},
+      {"cocircular",
+       "Cocircular points",
+       "points exactly on a circle about the origin",
+       {},
+       {},
+       kFewPoints,
+       cocircular},
       {"almost-cocircular",
        "Almost cocircular points",
        "points on the unit circle up to noise and rounding",
        {{"noise", "Largest distance from it", "", 0.0, 0.1, 1e-12}},
        {},
-       kFew,
+       kFewPoints,
        almost_cocircular},
       {"collinear",
        "Collinear points",
        "points exactly on a line",
        {whole("dx", "From point to point, to the right", 2.0), whole("dy", "From point to point, upwards", 1.0)},
        {},
-       kFew,
+       kFewPoints,
        collinear},
       {"almost-collinear",
        "Almost collinear points",
        "points on a line up to noise",
        {{"noise", "Largest distance from it", "", 0.0, 0.1, 1e-12}},
        {},
-       kFew,
+       kFewPoints,
        almost_collinear},
       {"balls-along-curve",
        "Balls along a curve",
@@ -276,7 +282,7 @@ std::vector<ShapeDescriptor> point_shapes() {
        {{"x", "x of the centre as a formula of t", "t"},
         {"y", "y of the centre as a formula of t", "sin(t)"},
         {"radius", "The radius as a formula of t", "0.4 + 0.2*cos(3*t)"}},
-       kFew,
+       kFewPoints,
        balls_along_curve},
   };
 }

@@ -50,7 +50,7 @@ struct CenterlineResult {
   std::optional<MapPlane> map{};  ///< of the last lines; all have the same unit
 };
 
-Expected<Vec2> parse_place(const std::string& text) {
+Expected<Vec2> point_between(const std::string& text) {
   const std::vector<std::string_view> parts = split_list(text);
   if (parts.size() == 2) {
     const auto x = parse_number(parts[0]);
@@ -60,7 +60,7 @@ Expected<Vec2> parse_place(const std::string& text) {
   return usage_error("--between expects two points X,Y, not " + in_quotes(text));
 }
 
-Expected<double> parse_length(std::string_view option, std::string_view text, bool may_be_zero) {
+Expected<double> positive_length(std::string_view option, std::string_view text, bool may_be_zero) {
   const auto value = parse_number(text);
   if (value && (*value > 0.0 || (may_be_zero && *value == 0.0))) return *value;
   return usage_error(fmt::format("{} expects a {}, not {}", option,
@@ -70,7 +70,7 @@ Expected<double> parse_length(std::string_view option, std::string_view text, bo
 
 Expected<SmoothingTolerance> parse_smooth(std::string_view text) {
   const bool is_share = text.ends_with('%');
-  const auto value = parse_length("--smooth", is_share ? text.substr(0, text.size() - 1) : text, true);
+  const auto value = positive_length("--smooth", is_share ? text.substr(0, text.size() - 1) : text, true);
   if (!value) return std::unexpected(value.error());
   return is_share ? SmoothingTolerance{.length = 0.0, .share = 0.01 * *value}
                   : SmoothingTolerance{.length = *value, .share = 0.0};
@@ -105,16 +105,16 @@ Expected<CenterlineJob> centerline_job(const CenterlineRequest& request) {
   if (!branches) return std::unexpected(branches.error());
   out.wish.request.most = static_cast<std::size_t>(*branches);
   if (!request.between.empty()) {
-    const auto from = parse_place(request.between.front());
+    const auto from = point_between(request.between.front());
     if (!from) return std::unexpected(from.error());
-    const auto to = parse_place(request.between.back());
+    const auto to = point_between(request.between.back());
     if (!to) return std::unexpected(to.error());
     out.between = {*from, *to};
     if (*branches != 1) return usage_error("--between asks for one line, and --branches for more");
     if (request.are_features_apart) return usage_error("--between asks for one line, and --each for one a feature");
   }
   if (!request.every.empty()) {
-    const auto every = parse_length("--every", request.every, false);
+    const auto every = positive_length("--every", request.every, false);
     if (!every) return std::unexpected(every.error());
     out.every = *every;
     if (request.is_extended)

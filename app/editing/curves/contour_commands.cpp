@@ -7,16 +7,16 @@
 namespace mes {
 namespace {
 
-struct Words {
+struct ContourWords {
   const char* step;
   const char* done;
 };
-constexpr std::array<Words, kContourChanges> kWords{{{"Join contours", "Joined"},
-                                                     {"Cut contours", "Cut"},
-                                                     {"Close contours", "Closed"},
-                                                     {"Open contours", "Opened"},
-                                                     {"Reverse contours", "Reversed"},
-                                                     {"Forget contours", "Forgotten"}}};
+constexpr std::array<ContourWords, kContourChanges> kContourWords{{{"Join contours", "Joined"},
+                                                                   {"Cut contours", "Cut"},
+                                                                   {"Close contours", "Closed"},
+                                                                   {"Open contours", "Opened"},
+                                                                   {"Reverse contours", "Reversed"},
+                                                                   {"Forget contours", "Forgotten"}}};
 
 std::string counted_contours(std::size_t count) {
   return std::to_string(count) + (count == 1 ? " contour" : " contours");
@@ -42,7 +42,7 @@ Expected<std::string> ContourCommands::change(ContourChange change) {
   const std::size_t before = editor_.document().curve_order()->contours.size();
   const auto contours = changed_contours(editor_.document(), change, selected());
   if (!contours) return std::unexpected(contours.error());
-  const Words& words = kWords[static_cast<std::size_t>(change)];
+  const ContourWords& words = kContourWords[static_cast<std::size_t>(change)];
   if (auto done = put(*contours, words.step); !done) return std::unexpected(done.error());
   const std::size_t after = contours->contours.size();
   return std::string(words.done) + ": the document has " + counted_contours(after) +

@@ -8,15 +8,13 @@
 namespace mes {
 namespace {
 
-using Words = std::string_view;
-
-std::string spaced(Words id) {
+std::string spaced(std::string_view id) {
   std::string out(id);
   std::ranges::replace(out, '-', ' ');
   return out;
 }
 
-void replace(std::string& text, Words what, Words by) {
+void replace(std::string& text, std::string_view what, std::string_view by) {
   if (const std::size_t at = text.find(what); at != std::string::npos) text.replace(at, what.size(), by);
 }
 

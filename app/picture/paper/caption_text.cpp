@@ -14,7 +14,7 @@ namespace {
 constexpr int kDeepestHeading = 3;
 constexpr std::string_view kEscapable = "*$#-\\_`[]()!+.";
 
-std::string_view without_spaces(std::string_view line) {
+std::string_view trimmed_line(std::string_view line) {
   const std::size_t begin = line.find_first_not_of(" \t\r");
   if (begin == std::string_view::npos) return {};
   return line.substr(begin, line.find_last_not_of(" \t\r") - begin + 1);
@@ -329,12 +329,12 @@ CaptionText caption_text(std::string_view markdown) {
   const auto end_block = [&](int level = 1) {
     const std::string text = std::exchange(block, {});
     const CaptionBlock::Kind ended = std::exchange(kind, CaptionBlock::Kind::paragraph);
-    std::vector<CaptionSpan> spans = SpanReader().read(without_spaces(text));
+    std::vector<CaptionSpan> spans = SpanReader().read(trimmed_line(text));
     if (!spans.empty()) out.push_back({ended, level, std::move(spans)});
   };
   for (std::string_view rest = readable; !rest.empty();) {
     const std::size_t end = std::min(rest.find('\n'), rest.size());
-    const std::string_view line = without_spaces(rest.substr(0, end));
+    const std::string_view line = trimmed_line(rest.substr(0, end));
     rest.remove_prefix(std::min(end + 1, rest.size()));
     const int level = heading_level(line);
     if (line.empty() || level > 0 || is_item(line)) end_block();

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kBarApart = 6.0;  // least distance from the scale bar
 
-bool overlap(const Box2& a, const Box2& b) {
+bool boxes_overlap(const Box2& a, const Box2& b) {
   return a.low.x < b.high.x && b.low.x < a.high.x && a.low.y < b.high.y && b.low.y < a.high.y;
 }
 
@@ -62,7 +62,7 @@ class LegendPlaces {
   /// Without a scale bar every position is free.
   bool is_free(Vec2 corner) const {
     const Box2 box = box_at(corner);
-    return !around_.bar || (!overlap(box, *around_.bar) && is_within(box, around_.room));
+    return !around_.bar || (!boxes_overlap(box, *around_.bar) && is_within(box, around_.room));
   }
 
   std::optional<Vec2> nearest_free(Vec2 corner) const {
@@ -84,7 +84,7 @@ class LegendPlaces {
 
 std::pair<std::size_t, std::size_t> LegendSurroundings::cost_of(const Box2& box) const {
   const auto covered =
-      std::ranges::count_if(words, [&](const Box2& text) { return !text.is_empty() && overlap(text, box); });
+      std::ranges::count_if(words, [&](const Box2& text) { return !text.is_empty() && boxes_overlap(text, box); });
   return {static_cast<std::size_t>(covered), hides ? hides(box) : 0};
 }
 

@@ -14,7 +14,7 @@ constexpr double kTitleLetters = 20.0;
 constexpr double kTitleSpacing = 1.3;
 constexpr double kAbove = 0.55;  // share of the height of letters, like the next two
 constexpr double kBelow = 0.35;
-constexpr double kBeside = 0.5;
+constexpr double kBesideTitle = 0.5;
 constexpr double kWidest = 0.94;  // share of the picture
 constexpr double kHighest = 1.0 / 3.0;
 
@@ -37,7 +37,7 @@ PictureTitle layout_title(std::string_view words, double width, double height, c
   RichText text = rich_text(words, {}, kTitleLetters, measure);
   PictureTitle out{.drawing = {}, .complaint = text.complaint};
   if (text.lines.empty()) return out;
-  const double widest = width_of(text) + 2.0 * kBeside * kTitleLetters;
+  const double widest = width_of(text) + 2.0 * kBesideTitle * kTitleLetters;
   const double band = (lines_of(text) + kAbove + kBelow) * kTitleLetters;
   const double smaller = std::min({1.0, kWidest * width / widest, kHighest * height / band});
   const double letters = smaller * kTitleLetters;
@@ -47,7 +47,7 @@ PictureTitle layout_title(std::string_view words, double width, double height, c
   drawing.width = width;
   drawing.height = (lines_of(text) + kAbove + kBelow) * letters;
   // A part of the drawing may lie in the band.
-  const double paper = width_of(text) + 2.0 * kBeside * letters;
+  const double paper = width_of(text) + 2.0 * kBesideTitle * letters;
   constexpr double kOpacity = 0.9;
   drawing.boxes.push_back({.left = 0.5 * (width - paper),
                            .top = 0.5 * kAbove * letters,

@@ -10,7 +10,7 @@
 namespace mes {
 namespace {
 
-constexpr std::size_t kMostSteps = 50;
+constexpr std::size_t kMostBundleSteps = 50;
 constexpr std::size_t kLongestName = 200;
 constexpr std::size_t kMostLooks = 16;
 
@@ -43,7 +43,7 @@ const Bundle* BundleList::find(std::string_view name) const {
 }
 
 void BundleList::begin_step(std::string name) {
-  if (steps_.size() == 2 * kMostSteps) steps_.erase(steps_.begin(), steps_.begin() + kMostSteps);
+  if (steps_.size() == 2 * kMostBundleSteps) steps_.erase(steps_.begin(), steps_.begin() + kMostBundleSteps);
   steps_.push_back({std::move(name), bundles_});
   ++revision_;
 }

@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kMostColors = 4096;
-constexpr std::uintmax_t kLargestFile = 1U << 20U;
+constexpr std::uintmax_t kLargestColorMap = 1U << 20U;
 // Maps are rows of one texture. The limit is far more than anybody chooses from.
 constexpr std::size_t kMostMaps = 256;
 
@@ -85,7 +85,7 @@ Expected<render::ColorMap> read_color_map(const fs::path& file) {
   std::error_code error;
   // The check also avoids waiting for pipes and devices.
   if (!fs::is_regular_file(file, error)) return fail("this is not a file");
-  if (fs::file_size(file, error) > kLargestFile || error) return fail("far too large for a colour map");
+  if (fs::file_size(file, error) > kLargestColorMap || error) return fail("far too large for a colour map");
   std::ifstream stream(file, std::ios::binary);
   std::ostringstream bytes;
   bytes << stream.rdbuf();

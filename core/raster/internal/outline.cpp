@@ -29,12 +29,12 @@ constexpr double kStraight = 0.03;  // a run that deviates less from its chord i
 constexpr std::size_t kLeastNodes = 16;
 constexpr std::size_t kLeastRunNodes = 6;
 
-Vec2 unit(Vec2 v) {
+Vec2 unit_vector(Vec2 v) {
   const double size = length(v);
   return size > 0.0 ? (1.0 / size) * v : Vec2{};
 }
 
-double turn_between(Vec2 a, Vec2 b) {
+double turn_of_corner(Vec2 a, Vec2 b) {
   return std::atan2(cross(a, b), dot(a, b));
 }
 
@@ -43,7 +43,7 @@ std::vector<double> turns_of(std::span<const Vec2> nodes) {
   const std::size_t count = nodes.size();
   std::vector<double> out(count);
   for (std::size_t k = 0; k < count; ++k)
-    out[k] = turn_between(nodes[k] - nodes[(k + count - 1) % count], nodes[(k + 1) % count] - nodes[k]);
+    out[k] = turn_of_corner(nodes[k] - nodes[(k + count - 1) % count], nodes[(k + 1) % count] - nodes[k]);
   return out;
 }
 
@@ -102,8 +102,8 @@ std::vector<Vec2> stretched(std::span<const Vec2> nodes, double spacing, std::si
   const std::size_t look = std::min<std::size_t>(out.size() - 1, 4);
   constexpr double kFarther = 1.0;
   const double extra = static_cast<double>(cut) * spacing + kFarther;
-  const Vec2 back = unit(out[0] - out[look]);
-  const Vec2 on = unit(out[out.size() - 1] - out[out.size() - 1 - look]);
+  const Vec2 back = unit_vector(out[0] - out[look]);
+  const Vec2 on = unit_vector(out[out.size() - 1] - out[out.size() - 1 - look]);
   out.insert(out.begin(), out[0] + extra * back);
   out.push_back(out.back() + extra * on);
   double length = 0.0;
@@ -114,9 +114,9 @@ std::vector<Vec2> stretched(std::span<const Vec2> nodes, double spacing, std::si
 /// The intersection of the lines through the last two nodes of a run and the first two of the next.
 std::optional<Vec2> meeting(const std::vector<Vec2>& before, const std::vector<Vec2>& after) {
   const Vec2 p = before[before.size() - 2];
-  const Vec2 on = unit(before.back() - p);
+  const Vec2 on = unit_vector(before.back() - p);
   const Vec2 q = after[1];
-  const Vec2 back = unit(after[0] - q);
+  const Vec2 back = unit_vector(after[0] - q);
   const double sine = cross(on, back);
   constexpr double kLeastSine = 0.2;
   if (std::abs(sine) < kLeastSine) return std::nullopt;
@@ -129,7 +129,7 @@ struct Corner {
 };
 
 /// A contour divided into runs at its corners.
-struct Cut {
+struct CornerCut {
   std::vector<Corner> corners;
   std::vector<Run> runs;  // from each corner to the next
 };
@@ -138,7 +138,7 @@ void end_at(std::vector<Vec2>& nodes, std::vector<double>& stiffness, Vec2 corne
   // A node beside the corner would make a piece of no length, and one beyond it a loop.
   constexpr double kLeastPiece = 0.4;
   while (nodes.size() > 1) {
-    const Vec2 on = unit(nodes.back() - nodes[nodes.size() - 2]);
+    const Vec2 on = unit_vector(nodes.back() - nodes[nodes.size() - 2]);
     if (dot(corner - nodes.back(), on) > kLeastPiece) break;
     nodes.pop_back();
     stiffness.pop_back();
@@ -148,7 +148,7 @@ void end_at(std::vector<Vec2>& nodes, std::vector<double>& stiffness, Vec2 corne
 }
 
 /// Computes the corner between each two successive runs; a corner is bad if they do not meet near its node.
-bool join(Cut& cut, std::span<const Vec2> nodes, std::vector<bool>& is_good) {
+bool join(CornerCut& cut, std::span<const Vec2> nodes, std::vector<bool>& is_good) {
   const std::size_t count = cut.corners.size();
   bool are_all = true;
   for (std::size_t i = 0; i < count; ++i) {
@@ -219,11 +219,11 @@ class Outliner {
     }
     // Each round removes false corners.
     while (!bends.empty()) {
-      Cut cut;
+      CornerCut cut;
       std::vector<bool> is_good(bends.size(), true);
       if (cut_at(bends, cut, is_good) && judge(cut, is_good)) {
         if (!encloses_as_much(cut)) break;
-        Cut calm;
+        CornerCut calm;
         return is_calmed(cut, calm) ? joined(calm) : joined(cut);
       }
       std::size_t kept = 0;
@@ -282,13 +282,13 @@ class Outliner {
     return std::abs(0.5 * twice_area - contour_.area) <=
            kMostBeside * static_cast<double>(edges_.size()) + kOfCorners;
   }
-  bool encloses_as_much(const Cut& cut) const {
+  bool encloses_as_much(const CornerCut& cut) const {
     double out = 0.0;
     for (const Run& run : cut.runs) out += twice_area(run.nodes, false);
     return is_as_much(out);
   }
 
-  bool cut_at(const std::vector<std::size_t>& bends, Cut& cut, std::vector<bool>& is_good) {
+  bool cut_at(const std::vector<std::size_t>& bends, CornerCut& cut, std::vector<bool>& is_good) {
     if (along_.empty()) along_ = places_along(fine_, edges_);
     const std::size_t count = fine_.nodes.size();
     const double all = static_cast<double>(count);
@@ -334,7 +334,7 @@ class Outliner {
   }
 
   /// Fits runs with few extremes of curvature between the same corners; false if these do not meet there.
-  bool is_calmed(const Cut& cut, Cut& calm) const {
+  bool is_calmed(const CornerCut& cut, CornerCut& calm) const {
     calm.corners = cut.corners;
     calm.runs.resize(fitted_.size());
     run_tasks(fitted_.size(),
@@ -378,7 +378,7 @@ class Outliner {
 
   /// Whether the edges beside each corner lie within their noise of the runs, or about as near to them as to the curve
   /// without corners.
-  bool judge(const Cut& cut, std::vector<bool>& is_good) const {
+  bool judge(const CornerCut& cut, std::vector<bool>& is_good) const {
     const std::size_t count = fine_.nodes.size();
     const std::size_t corners = cut.corners.size();
     const double reach = kJudged / spacing_;
@@ -433,7 +433,7 @@ class Outliner {
     return out;
   }
 
-  static PlaneCurve joined(const Cut& cut) {
+  static PlaneCurve joined(const CornerCut& cut) {
     PlaneCurve out(cut.corners.front().at);
     for (const Run& run : cut.runs) add_pieces(run.nodes, run.stiffness, false, out);
     out.close();
@@ -452,7 +452,7 @@ class Outliner {
     const auto through = [&](std::size_t before, std::size_t at, std::size_t after) {
       const Vec2 in = nodes[at] - nodes[before], on = nodes[after] - nodes[at];
       const double a = mes::length(in), b = mes::length(on);
-      const Vec2 tangent = unit(b * unit(in) + a * unit(on));
+      const Vec2 tangent = unit_vector(b * unit_vector(in) + a * unit_vector(on));
       const double change = curve.curvature(before) - curve.curvature(after == last && is_closed ? 0 : after);
       const double turn = a + b > 0.0 ? a * b * change / (6.0 * (a + b)) : 0.0;
       return std::cos(turn) * tangent + std::sin(turn) * perpendicular(tangent);
@@ -463,7 +463,7 @@ class Outliner {
     } else {
       // End tangents mirror the next ones, as on a circle.
       const auto mirrored = [](Vec2 tangent, Vec2 chord) {
-        const Vec2 on = unit(chord);
+        const Vec2 on = unit_vector(chord);
         return 2.0 * dot(on, tangent) * on - tangent;
       };
       tangents.front() = mirrored(tangents[1], nodes[1] - nodes[0]);
@@ -477,17 +477,17 @@ class Outliner {
     while (from < last) {
       std::size_t to = from + 1;
       double passed = distance(nodes[from], nodes[to]);
-      double turned = std::abs(turn_between(tangents[from], tangents[to]));
+      double turned = std::abs(turn_of_corner(tangents[from], tangents[to]));
       while (to < last) {
         const double next = passed + distance(nodes[to], nodes[to + 1]);
-        const double turn = turned + std::abs(turn_between(tangents[to], tangents[to + 1]));
+        const double turn = turned + std::abs(turn_of_corner(tangents[to], tangents[to + 1]));
         if (next > kShare * std::min(stiffness[from], stiffness[to + 1]) || turn > most_turned) break;
         passed = next;
         turned = turn;
         ++to;
       }
       const Vec2 chord = nodes[to] - nodes[from];
-      const double quarter = std::cos(0.25 * turn_between(tangents[from], tangents[to]));
+      const double quarter = std::cos(0.25 * turn_of_corner(tangents[from], tangents[to]));
       const double handle = std::sqrt(dot(chord, chord)) / (3.0 * quarter * quarter);
       out.cubic_to(nodes[from] + handle * tangents[from], nodes[to] - handle * tangents[to], nodes[to]);
       from = to;
@@ -500,7 +500,7 @@ class Outliner {
     for (std::size_t k = 1; k < nodes.size(); ++k) length += distance(nodes[k - 1], nodes[k]);
     constexpr double kDetour = 1.01;
     if (length > kDetour * std::sqrt(dot(chord, chord))) return false;
-    const Vec2 along = unit(chord);
+    const Vec2 along = unit_vector(chord);
     return std::ranges::all_of(nodes, [&](Vec2 p) { return std::abs(cross(along, p - nodes.front())) <= kStraight; });
   }
 

@@ -8,7 +8,7 @@
 namespace mes {
 namespace {
 
-using Corners = std::vector<Vec2>;
+using Places = std::vector<Vec2>;
 
 Vec2 crossing(Vec2 from, Vec2 to, double longitude) {
   const double t = (longitude - from.x) / (to.x - from.x);
@@ -17,7 +17,7 @@ Vec2 crossing(Vec2 from, Vec2 to, double longitude) {
 
 /// Adds a corner where a side crosses the meridian without ending on it.
 template <class Use>
-void for_each_with_crossings(const Corners& corners, double longitude, Use use) {
+void for_each_with_crossings(const Places& corners, double longitude, Use use) {
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const bool crosses = i != 0 && (corners[i - 1].x - longitude) * (corners[i].x - longitude) < 0.0;
     if (crosses) use(crossing(corners[i - 1], corners[i], longitude));
@@ -26,8 +26,8 @@ void for_each_with_crossings(const Corners& corners, double longitude, Use use) 
 }
 
 /// Cuts the chain into pieces that each lie on one side.
-std::vector<Corners> cut_chain(const Corners& corners, double longitude) {
-  std::vector<Corners> out(1);
+std::vector<Places> cut_chain(const Places& corners, double longitude) {
+  std::vector<Places> out(1);
   double side = 0.0;
   for_each_with_crossings(corners, longitude, [&](Vec2 p) {
     const double here = p.x - longitude;
@@ -44,8 +44,8 @@ std::vector<Corners> cut_chain(const Corners& corners, double longitude) {
 
 /// The part of the ring on one side, `sign` times east of the meridian. A ring that crosses it several times gives a
 /// ring that touches itself there.
-Corners cut_ring(const Corners& corners, double longitude, double sign) {
-  Corners out;
+Places cut_ring(const Places& corners, double longitude, double sign) {
+  Places out;
   for_each_with_crossings(corners, longitude, [&](Vec2 p) {
     if (sign * (p.x - longitude) >= 0.0 && (out.empty() || out.back() != p)) out.push_back(p);
   });
@@ -55,14 +55,14 @@ Corners cut_ring(const Corners& corners, double longitude, double sign) {
   return out;
 }
 
-void shift(Corners& corners, double longitude) {
+void shift(Places& corners, double longitude) {
   for (Vec2& p : corners) p.x += longitude;
 }
 
 }  // namespace
 
 std::vector<std::vector<Vec2>> parts_on_earth(const StraightShape& shape, const MapConversion& conversion) {
-  Corners corners = shape.corners;
+  Places corners = shape.corners;
   conversion.from_plane(corners);
   if (corners.empty() || std::ranges::any_of(corners, [](Vec2 p) { return !is_finite(p); })) return {};
   const double half_turn = conversion.half_turn();
@@ -84,13 +84,13 @@ std::vector<std::vector<Vec2>> parts_on_earth(const StraightShape& shape, const 
   if (turns != 0.0) shift(corners, -turn * turns);
   if (low.x - turn * turns >= -half_turn) return {std::move(corners)};
   // The shape now reaches from west of -180 degrees to at most 180.
-  std::vector<Corners> out;
+  std::vector<Places> out;
   if (shape.kind == StraightKind::polygon)
     out = {cut_ring(corners, -half_turn, 1.0), cut_ring(corners, -half_turn, -1.0)};
   else
     out = cut_chain(corners, -half_turn);
-  std::erase_if(out, [](const Corners& part) { return part.size() < 2; });
-  for (Corners& part : out)
+  std::erase_if(out, [](const Places& part) { return part.size() < 2; });
+  for (Places& part : out)
     if (std::ranges::any_of(part, [&](Vec2 p) { return p.x < -half_turn; })) shift(part, turn);
   return out;
 }
@@ -98,15 +98,15 @@ std::vector<std::vector<Vec2>> parts_on_earth(const StraightShape& shape, const 
 GeoParts geo_parts_of(const StraightShape& shape, const MapConversion* conversion) {
   if (conversion == nullptr) return {{shape.corners, shape.holes}};
   GeoParts out;
-  for (Corners& part : parts_on_earth(shape, *conversion)) out.push_back({std::move(part)});
+  for (Places& part : parts_on_earth(shape, *conversion)) out.push_back({std::move(part)});
   // Parts are cut along meridians, so longitudes tell which one is around a hole.
-  const auto is_around = [](const Corners& part, const Corners& hole) {
+  const auto is_around = [](const Places& part, const Places& hole) {
     const auto [low, high] = std::ranges::minmax(part, {}, &Vec2::x);
     const auto [first, last] = std::ranges::minmax(hole, {}, &Vec2::x);
     return low.x <= first.x && last.x <= high.x;
   };
-  for (const Corners& hole : shape.holes) {
-    for (Corners& part : parts_on_earth({.kind = shape.kind, .of = shape.of, .corners = hole}, *conversion)) {
+  for (const Places& hole : shape.holes) {
+    for (Places& part : parts_on_earth({.kind = shape.kind, .of = shape.of, .corners = hole}, *conversion)) {
       const auto around = std::ranges::find_if(out, [&](const GeoPart& one) { return is_around(one.corners, part); });
       if (around != out.end()) around->holes.push_back(std::move(part));
     }
