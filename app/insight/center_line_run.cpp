@@ -132,9 +132,9 @@ Expected<CenterLines> compute_center_lines(const Registry& registry, const Sampl
     const std::string reason = !wish.is_exact                  ? lambda.reason()
                                : outline.graph().edges.empty() ? "no closed outline encloses anything"
                                                                : "";
-    return no_line(ErrorCode::cannot_compute,
-                   "there is no centre line: " +
-                       (reason.empty() ? "every shape is so compact that its pruned axis is a point" : reason));
+    const std::string usual =
+        out.points == 0 ? "nothing is enclosed" : "every shape is so compact that its pruned axis is a point";
+    return no_line(ErrorCode::cannot_compute, "there is no centre line: " + (reason.empty() ? usual : reason));
   }
   smooth(out, wish.tolerance);
   // Pruned arms reach up to 1 + salience radii; a ray beside them may be somewhat longer.

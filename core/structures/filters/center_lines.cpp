@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/geometry/box2.h"
+
 namespace mes {
 namespace {
 
@@ -31,11 +33,19 @@ Bank bank_at(const Delaunay& delaunay, const OneStepCrust& crust, SiteSlot site)
 }
 
 /// The branches of a filter. Free ends that the filter cut have no node of the axis, and neither have closed branches.
+/// Samples that nearly lie on one line enclose nothing, but have faces whose balls are far larger than all of them.
 class FilteredNetwork final : public AxisNetwork {
  public:
   FilteredNetwork(const AxisFilter& filter, const OneStepCrust& crust, std::span<const AxisBranch> branches)
       : filter_(filter), crust_(crust), rows_(branches) {
+    const Delaunay& delaunay = filter.delaunay();
+    Box2 extent;
+    for (const EdgeSlot edge : delaunay.edge_slots())
+      if (const EdgeRow& row = delaunay.edge(edge); row.is_alive())
+        for (const SiteSlot site : row.v) extent.add(delaunay.site_position(site));
+    const double most = distance(extent.low, extent.high);
     for (const AxisBranch& branch : branches) {
+      if (branch.radius_largest > most) continue;
       if (branch.edges.empty()) ++points_;
       if (branch.edges.empty() || !(branch.length > 0.0)) continue;
       const std::uint32_t from = node_of(branch.from, branch.edges.front());

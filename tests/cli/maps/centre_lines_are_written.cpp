@@ -356,6 +356,7 @@ TEST_CASE("what has no centre line gets one line and an exit code") {
   CHECK_THAT(line_fault(1, {"-"}, "POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0))"),
              Catch::Contains("no centre line: every shape"));
   CHECK_THAT(line_fault(1, {"-"}, "POINT (1 2)"), Catch::Contains("no centre line"));
+  CHECK_THAT(line_fault(1, {"-"}, "LINESTRING (0 0, 1 3)"), Catch::Contains("no centre line: nothing is enclosed"));
   CHECK_THAT(line_fault(1, {"-"}, "MULTIPOINT ((1 2), (3 4))"), Catch::Contains("no centre line"));
   CHECK_THAT(line_fault(3, {"-", "--from", "poff"}, "POFF 0 0 0\n"), Catch::Contains("no samples"));
   line_fault(3, {"-"}, "\x01\x02 nonsense");

@@ -128,6 +128,16 @@ double turning(const std::vector<Vec2>& line) {
 
 }  // namespace
 
+TEST_CASE("samples that nearly lie on a line have no centre line") {
+  // Rounding leaves them beside the line, and the ball through three of them is larger than anything near.
+  std::vector<Vec2> samples;
+  for (int i = 0; i < 5; ++i) samples.push_back({0.1 * i, 0.3 * i});
+  CHECK(LineBench(samples).lines().lines.empty());
+  samples.clear();
+  for (int i = 0; i <= 20; ++i) samples.push_back({0.1 * i, i % 2 == 0 ? 0.0 : 1e-9});
+  for (const CenterLine& line : LineBench(samples).lines().lines) CHECK(length_of(line) < 10.0);
+}
+
 TEST_CASE("the centre line of a stadium is its segment, with a constant width") {
   for (const double epsilon : {0.4, 0.1}) {
     const TestShape shape = stadium(3.0, 1.0, epsilon);
