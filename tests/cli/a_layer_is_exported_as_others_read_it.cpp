@@ -392,6 +392,8 @@ TEST_CASE("areas of a union are polygons with holes, as large as the union") {
       run({"compute", "-", "--layers", "b-union-boundary"}, {.input = ring}).out)["structures"]["b-union"];
   // Arcs are chords here, with 96 sides per turn.
   CHECK(std::abs(area / numbers["area"].get<double>() - 1.0) < 2e-3);
+  // Of all layers those that have areas are written.
+  CHECK_FALSE(Json::parse(exported("-", "all", "geojson-areas", ring))["features"].empty());
   CHECK_THAT(exported("-", "b-union-boundary", "wkt-areas", ring),
              Catch::StartsWith("POLYGON ((") && Catch::Contains("), ("));
 

@@ -57,8 +57,10 @@ Expected<void> run_export(const Registry& registry, const ExportRequest& request
         "export needs --layer (mesecina list layers), --structure (mesecina list structures) or --cells");
   const auto format = select_format(request.format);
   if (!format) return std::unexpected(format.error());
-  const auto layers = select_layers(registry, request.layer);
+  auto layers = select_layers(registry, request.layer);
   if (!layers) return std::unexpected(layers.error());
+  if (request.layer == "all")
+    std::erase_if(*layers, [&](LayerIndex layer) { return !(*format)->holds(registry.layers()[layer]); });
   if (auto good = check_layers(registry.layers(), **format, *layers); !good) return good;
   if (auto good = check_output(request.output); !good) return good;
   const auto input = read_source(registry, request.source);
