@@ -183,9 +183,12 @@ Expected<Tracing> traced(Expected<Outlined> found, const GrayImage& image, const
   if (contours.kept.empty() && contours.specks == 0)
     return no_trace(ErrorCode::bad_input, "no figure stands out: nothing is " + side);
   if (contours.kept.empty())
-    return no_trace(ErrorCode::bad_input,
-                    fmt::format("no figure stands out: there are only specks {}, the largest of {:.4g} square pixels",
-                                side, contours.largest_speck * request.pixel_area));
+    return no_trace(
+        ErrorCode::bad_input,
+        fmt::format("no figure stands out: there are only specks {}, the largest of {:.4g} square pixels; "
+                    "specks are figures below {:.4g}",
+                    side, contours.largest_speck * request.pixel_area,
+                    request.specks.value_or(default_specks(image)) * request.pixel_area));
   out.is_two_valued = is_two_valued(contours);
   const Box2 picture{{0.0, 0.0}, {static_cast<double>(image.width), static_cast<double>(image.height)}};
   out.curves.curves = outlines_of(contours.kept, out.counts.blur, picture, job);
@@ -249,9 +252,11 @@ std::optional<Level> otsu_level(const Histogram& histogram) {
 }
 
 double default_specks(const GrayImage& image) {
-  constexpr double kLeast = 16.0;
-  constexpr double kShare = 1e-4;
-  return std::max(kLeast, kShare * static_cast<double>(image.width) * image.height);
+  constexpr double kUsual = 16.0;
+  constexpr double kShareOfSmall = 1.0 / 16.0;
+  constexpr double kShareOfLarge = 1e-4;
+  const double area = static_cast<double>(image.width) * image.height;
+  return std::max(std::min(kUsual, kShareOfSmall * area), kShareOfLarge * area);
 }
 
 bool is_figure_light(const GrayImage& image, Level level, FigureSide side) {

@@ -48,7 +48,7 @@ Histogram histogram_of(const GrayImage& image);
 /// light and dark gives the level exchanged.
 std::optional<Level> otsu_level(const Histogram& histogram);
 
-/// Sixteen square pixels, or a ten-thousandth of the area for larger pictures.
+/// Sixteen square pixels; a sixteenth of the area for pictures below 256 pixels, a ten-thousandth for those above 160,000.
 double default_specks(const GrayImage& image);
 
 /// Whether the light side is the figure at a level.

@@ -326,9 +326,19 @@ TEST_CASE("a picture without a figure is refused in one line") {
   GrayImage dot = gray;
   dot.values[300] = dot.values[301] = 200;
   CHECK(refusal(dot) ==
-        "no figure stands out: there are only specks lighter than grey value 138, the largest of 1.5 square pixels");
+        "no figure stands out: there are only specks lighter than grey value 138, the largest of 1.5 square pixels; "
+        "specks are figures below 16");
   // In a picture that was reduced to a quarter.
-  CHECK_THAT(refusal(dot, {.pixel_area = 16.0}), Catch::EndsWith("the largest of 24 square pixels"));
+  CHECK_THAT(refusal(dot, {.pixel_area = 16.0}),
+             Catch::EndsWith("the largest of 24 square pixels; specks are figures below 256"));
+  // A small picture has small figures.
+  GrayImage small{8, 8, std::vector<std::uint8_t>(64, 255)};
+  for (const int y : {3, 4})
+    for (const int x : {2, 3, 4, 5}) small.values[static_cast<std::size_t>(8 * y + x)] = 0;
+  CHECK(traced(small).curves.curves.size() == 1);
+  small.values.assign(64, 255);
+  small.values[27] = 0;
+  CHECK_THAT(refusal(small), Catch::EndsWith("specks are figures below 4"));
   CHECK(trace(gray, {.threshold = 255}).error().code == ErrorCode::usage);
   CHECK(trace(gray, {.threshold = -1}).error().code == ErrorCode::usage);
 }
