@@ -98,8 +98,8 @@ void describe_centerline(const Registry& registry, CLI::App& app, CenterlineRequ
                          "nearest points of both banks, and direction in degrees from the x axis");
   centerline->add_flag(
       "--each", to.are_features_apart,
-      "Treat each feature of a map by itself (geojson, shapefile, geopackage, flatgeobuf); lines keep its id\n"
-      "and properties");
+      "Treat each feature of a map by itself (geojson, kml, wkt, shapefile, geopackage, flatgeobuf); lines keep\n"
+      "its id and properties");
   centerline->add_option("--format", to.format,
                          help_of_formats(line_text_formats()) +
                              ";\ndefault: by the name of the output, else geojson; stations are a table in csv, and\n"

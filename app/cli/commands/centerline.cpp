@@ -123,10 +123,9 @@ Expected<CenterlineJob> centerline_job(const CenterlineRequest& request) {
   const auto format = centerline_format(request);
   if (!format) return std::unexpected(format.error());
   out.format = *format;
-  constexpr std::array<std::string_view, 5> kOfFeatures{"", "geojson", "shapefile", "geopackage", "flatgeobuf"};
-  if (request.are_features_apart && std::ranges::find(kOfFeatures, request.from) == kOfFeatures.end())
-    return usage_error("--each reads features of " + one_of(std::span(kOfFeatures).subspan(1)) + ", not " +
-                       in_quotes(request.from));
+  if (request.are_features_apart && !request.from.empty() &&
+      std::ranges::find(feature_formats(), request.from) == feature_formats().end())
+    return usage_error("--each reads features of " + one_of(feature_formats()) + ", not " + in_quotes(request.from));
   if (out.format->name == "dxf-3d" && (request.is_extended || !request.every.empty()))
     return usage_error("dxf-3d has the radii along the lines; it goes with neither --extend nor --every");
   if (request.are_features_apart && !out.format->is_of_features)
@@ -263,7 +262,7 @@ Expected<void> process_features(const Registry& registry, const CenterlineReques
   std::size_t finished = 0;
   run_tasks(list.features.size(), [&](std::size_t i) {
     const Feature& feature = list.features[i];
-    const auto loaded = read_input_bytes(registry, feature.text, feature.name, "geojson", request.reading);
+    const auto loaded = read_input_bytes(registry, feature.text, feature.name, feature.format, request.reading);
     if (loaded) {
       found[i] = find_lines(registry, job, loaded->data, request.reading.keeps_vertices, feature.name, {});
     } else {
@@ -319,7 +318,7 @@ Expected<void> run_centerline(const Registry& registry, const CenterlineRequest&
   {
     Progress progress;
     if (request.are_features_apart) {
-      const auto list = read_features(request.file);
+      const auto list = read_features(registry, request.file, request.from);
       if (!list) return std::unexpected(list.error());
       sources = list->sources;
       if (auto done = process_features(registry, request, *job, *list, progress, result); !done) return done;

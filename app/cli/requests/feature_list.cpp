@@ -10,7 +10,9 @@
 #include <system_error>
 #include <utility>
 
+#include "core/graph/registry.h"
 #include "core/io/files/read_file.h"
+#include "core/io/format_spec.h"
 #include "core/io/maps/gdal.h"
 #include "core/io/session/json_text.h"
 #include "core/io/session/json_view.h"
@@ -44,14 +46,22 @@ std::string written(JsonView value, std::string_view text) {
   return std::string(rest);
 }
 
+void add_named(MapFeature feature, std::string format, const std::string& file, FeatureList& out) {
+  const std::size_t number = out.features.size() + 1;
+  std::string name = fmt::format("{}: feature {}", file, number);
+  if (!feature.id.empty())
+    name += ", id " + printable(feature.id);
+  else if (format != "geojson")
+    feature.id = std::to_string(number);
+  out.features.push_back({std::move(feature), std::move(name), std::move(format)});
+}
+
 void add_feature(JsonView feature, const std::string& crs, std::string_view text, const std::string& file,
                  FeatureList& out) {
   const auto [id, geometry, properties] =
       feature.pick(std::array<std::string_view, 3>{"id", "geometry", "properties"});
-  Feature& added = out.features.emplace_back();
+  MapFeature added;
   added.id = id.is_text() || id.is_number() ? written(id, text) : std::string();
-  added.name = fmt::format("{}: feature {}", file, out.features.size());
-  if (!added.id.empty()) added.name += ", id " + printable(added.id);
   if (properties.is_object()) {
     const std::string object = written(properties, text);
     const std::size_t first = object.find_first_not_of(kBlanks, 1);
@@ -60,27 +70,10 @@ void add_feature(JsonView feature, const std::string& crs, std::string_view text
     for (const auto& [key, value] : properties.members()) added.keys.push_back(key.text());
   }
   added.text = R"({"type":"FeatureCollection",)" + crs + R"("features":[)" + written(feature, text) + "]}";
+  add_named(std::move(added), "geojson", file, out);
 }
 
-}  // namespace
-
-Expected<FeatureList> read_features(const std::string& file) {
-  auto bytes = file == "-" ? read_whole(STDIN_FILENO, file) : read_whole(file);
-  if (!bytes) return std::unexpected(bytes.error());
-  FeatureList out;
-  std::error_code error;
-  if (file != "-" && std::filesystem::is_regular_file(file, error))
-    out.sources.push_back({file, fingerprint_of(*bytes)});
-  const std::size_t begin = without_bom(*bytes).find_first_not_of(kBlanks);
-  if (is_for_gdal(*bytes)) {
-    const std::filesystem::path path = file;
-    bytes = geojson_by_gdal(*bytes, file, file == "-" ? nullptr : &path, nullptr);
-    if (!bytes) return std::unexpected(bytes.error());
-  } else if (begin == std::string_view::npos || without_bom(*bytes)[begin] != '{') {
-    return std::unexpected(Error{ErrorCode::bad_input,
-                                 "--each reads features of GeoJSON, shapefiles, GeoPackages and FlatGeobufs", file});
-  }
-  const std::string_view text = without_bom(*bytes);
+Expected<void> add_geojson(std::string_view text, const std::string& file, FeatureList& out) {
   std::string_view rest = text;
   for (std::string_view record = take_json_text(rest); !record.empty(); record = take_json_text(rest)) {
     if (auto good = check_json(record, file); !good) return std::unexpected(good.error());
@@ -95,8 +88,51 @@ Expected<FeatureList> read_features(const std::string& file) {
     else
       return bad_json(record, 0, "--each expects features of GeoJSON", file);
   }
-  if (out.features.empty())
-    return std::unexpected(Error{ErrorCode::bad_input, "there are no features of GeoJSON", file});
+  return {};
+}
+
+}  // namespace
+
+std::span<const std::string_view> feature_formats() {
+  static constexpr std::array<std::string_view, 6> kFormats{"geojson",   "kml",        "wkt",
+                                                            "shapefile", "geopackage", "flatgeobuf"};
+  return kFormats;
+}
+
+Expected<FeatureList> read_features(const Registry& registry, const std::string& file, std::string_view format) {
+  auto bytes = file == "-" ? read_whole(STDIN_FILENO, file) : read_whole(file);
+  if (!bytes) return std::unexpected(bytes.error());
+  FeatureList out;
+  std::error_code error;
+  if (file != "-" && std::filesystem::is_regular_file(file, error))
+    out.sources.push_back({file, fingerprint_of(*bytes)});
+  const auto begins_as = [&](std::string_view id) {
+    const auto known = registry.formats().find(id);
+    return known != nullptr && known->match(*bytes) == Match::surely;
+  };
+  const auto is_in = [&](std::string_view id) { return format.empty() ? begins_as(id) : format == id; };
+  if (is_in("kml")) {
+    auto features = kml_features(*bytes, file);
+    if (!features) return std::unexpected(features.error());
+    for (MapFeature& feature : *features) add_named(std::move(feature), "kml", file, out);
+  } else if (is_in("wkt")) {
+    // Each line of anything else would be a feature that is wrong.
+    if (begins_as("wkt"))
+      for (MapFeature& feature : wkt_features(*bytes)) add_named(std::move(feature), "wkt", file, out);
+  } else {
+    const std::size_t begin = without_bom(*bytes).find_first_not_of(kBlanks);
+    if (is_for_gdal(*bytes)) {
+      const std::filesystem::path path = file;
+      bytes = geojson_by_gdal(*bytes, file, file == "-" ? nullptr : &path, nullptr);
+      if (!bytes) return std::unexpected(bytes.error());
+    } else if (begin == std::string_view::npos || without_bom(*bytes)[begin] != '{') {
+      return std::unexpected(
+          Error{ErrorCode::bad_input,
+                "--each reads features of GeoJSON, KML, WKT, shapefiles, GeoPackages and FlatGeobufs", file});
+    }
+    if (auto done = add_geojson(without_bom(*bytes), file, out); !done) return std::unexpected(done.error());
+  }
+  if (out.features.empty()) return std::unexpected(Error{ErrorCode::bad_input, "there are no features", file});
   return out;
 }
 

@@ -1,21 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The features of a map, each as a map of its own.
+// The features of the maps that `--each` reads.
 #pragma once
 
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/base/error.h"
 #include "core/io/files/file_fingerprint.h"
+#include "core/io/maps/map_features.h"
+
+namespace mes {
+class Registry;
+}
 
 namespace mes::cli {
 
-struct Feature {
-  std::string name{};               ///< in messages: "FILE: feature 3, id 17"
-  std::string text{};               ///< GeoJSON of the feature, with the reference system of the map
-  std::string id{};                 ///< JSON; empty: none
-  std::string properties{};         ///< JSON members without the braces
-  std::vector<std::string> keys{};  ///< names of the properties
+struct Feature : MapFeature {
+  std::string name{};    ///< in messages: "FILE: feature 3, id 17"
+  std::string format{};  ///< of its text
 };
 
 struct FeatureList {
@@ -23,8 +27,13 @@ struct FeatureList {
   std::vector<SourceFile> sources{};
 };
 
-/// Reads GeoJSON: a FeatureCollection, a single feature, or several of either in sequence; or a map that GDAL reads
-/// (core/io/maps/gdal.h). "-" is standard input. Error: `bad_input` for anything else.
-Expected<FeatureList> read_features(const std::string& file);
+/// The values of `--from` that `read_features` understands.
+std::span<const std::string_view> feature_formats();
+
+/// Reads GeoJSON: a FeatureCollection, a single feature, or several of either in sequence; KML or WKT
+/// (core/io/maps/map_features.h); or a map that GDAL reads (core/io/maps/gdal.h). `format` is one of `feature_formats`,
+/// or empty: found by the content. "-" is standard input. A feature of KML or WKT without an id gets its number as one.
+/// Error: `bad_input` for anything else.
+Expected<FeatureList> read_features(const Registry& registry, const std::string& file, std::string_view format);
 
 }  // namespace mes::cli

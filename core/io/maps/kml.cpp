@@ -29,8 +29,7 @@ class KmlReader {
     const auto root = source_.parse(job_);
     if (!root) return std::unexpected(root.error());
     job_.begin(source_.bytes());
-    // Visits the nodes in document order, without recursion.
-    for (xml_node node = *root; node; node = next_of(node, *root)) {
+    for (xml_node node = *root; node; node = next_in_document(node, *root)) {
       if (node.type() != pugi::node_element) continue;
       if (auto done = read_element(node); !done) return std::unexpected(done.error());
     }
@@ -42,12 +41,6 @@ class KmlReader {
   }
 
  private:
-  static xml_node next_of(xml_node node, xml_node root) {
-    if (const xml_node child = node.first_child()) return child;
-    while (node != root && !node.next_sibling()) node = node.parent();
-    return node == root ? xml_node() : node.next_sibling();
-  }
-
   Expected<void> read_element(xml_node node) {
     job_.passed(source_.bytes().data() + source_.place_of(node));
     const std::string_view kind = local_name(node.name());

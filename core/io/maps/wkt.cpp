@@ -12,6 +12,7 @@
 
 #include "core/base/lower_case.h"
 #include "core/io/format_spec.h"
+#include "core/io/maps/map_features.h"
 #include "core/io/maps/map_shapes.h"
 #include "core/io/text/ascii_text.h"
 #include "core/io/text/text_numbers.h"
@@ -71,7 +72,12 @@ class Words {
     skip_blanks();
   }
   std::size_t place() const { return at_; }
-  void go_to(std::size_t place) { at_ = place; }
+  std::size_t end_of_line() const { return std::min(text_.find_first_of("\r\n", at_), text_.size()); }
+  /// Goes to a place unless it lies behind, and past blanks.
+  void go_past(std::size_t place) {
+    at_ = std::max(at_, place);
+    skip_blanks();
+  }
 
  private:
   void skip_blanks() {
@@ -80,6 +86,10 @@ class Words {
   std::string_view text_;
   std::size_t at_ = 0;
 };
+
+bool is_srid(std::string_view word) {
+  return lower_case(word.substr(0, 5)) == "srid";
+}
 
 const WktType* wkt_type_named(std::string_view word) {
   constexpr std::size_t kLongest = 32;
@@ -134,7 +144,7 @@ class WktReader {
   }
 
   Expected<void> read_reference_system() {
-    if (lower_case(words_.word().substr(0, 5)) != "srid") return {};
+    if (!is_srid(words_.word())) return {};
     words_.skip_word();
     if (!words_.take('=')) return unexpected_here("\"=\" after SRID");
     const std::size_t place = words_.place();
@@ -315,7 +325,7 @@ class WktReader {
 /// Recognises the name of a geometry and the text that can follow it.
 Match match_wkt(std::string_view bytes) {
   Words words(without_bom(bytes));
-  if (lower_case(words.word().substr(0, 5)) == "srid") {
+  if (is_srid(words.word())) {
     words.skip_word();
     return words.sign() == '=' ? Match::surely : Match::no;
   }
@@ -331,7 +341,60 @@ Expected<LoadedFile> read_wkt(std::string_view bytes, const std::string& name, c
   return WktReader(without_bom(bytes), name, request, job).read();
 }
 
+/// Passes a code such as `SRID=25832;`, and returns whether there is a valid one.
+bool skip_srid(Words& words) {
+  if (!is_srid(words.word())) return false;
+  words.skip_word();
+  if (!words.take('=')) return false;
+  const bool is_valid = parse_count(words.word()).has_value();
+  words.skip_word();
+  return words.take(';') && is_valid;
+}
+
+/// Passes a geometry, or the rest of the line if there is none.
+void skip_geometry(Words& words) {
+  const auto is_at = [&](std::string_view wanted) { return lower_case(words.word().substr(0, 6)) == wanted; };
+  const std::size_t end_of_line = words.end_of_line();
+  const bool is_known = wkt_type_named(words.word()) != nullptr;
+  if (is_known) words.skip_word();
+  while (is_at("z") || is_at("m") || is_at("zm")) words.skip_word();
+  if (is_known && is_at("empty")) return words.skip_word();
+  if (!is_known || words.sign() != '(') return words.go_past(end_of_line);
+  std::size_t depth = 0;
+  do {
+    if (words.take('(')) {
+      ++depth;
+    } else if (words.take(')')) {
+      --depth;
+    } else if (!words.word().empty()) {
+      words.skip_word();
+    } else {
+      words.take(words.sign());
+    }
+  } while (depth > 0 && !words.is_at_end());
+}
+
 }  // namespace
+
+std::vector<MapFeature> wkt_features(std::string_view bytes) {
+  const std::string_view text = without_bom(bytes);
+  Words words(text);
+  std::vector<MapFeature> out;
+  std::string_view code;             // the first of the file
+  std::vector<std::size_t> without;  // indices of features without a code of their own
+  while (!words.is_at_end()) {
+    const std::size_t begin = words.place();
+    const bool has_code = skip_srid(words);
+    if (has_code && code.empty()) code = text.substr(begin, words.place() - begin);
+    if (words.place() == begin) without.push_back(out.size());
+    skip_geometry(words);
+    MapFeature& feature = out.emplace_back();
+    feature.text = text.substr(begin, words.place() - begin);
+    while (words.take(';') || words.take(',')) continue;
+  }
+  for (const std::size_t i : without) out[i].text.insert(0, code);
+  return out;
+}
 
 Format wkt_format() {
   return {.descriptor =

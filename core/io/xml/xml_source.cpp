@@ -78,6 +78,12 @@ std::string_view xml_root_name(std::string_view bytes) {
   return local_name(text.substr(1, text.find_first_of(" \t\r\n/>", 1) - 1));
 }
 
+pugi::xml_node next_in_document(pugi::xml_node node, pugi::xml_node root) {
+  if (const pugi::xml_node child = node.first_child()) return child;
+  while (node != root && !node.next_sibling()) node = node.parent();
+  return node == root ? pugi::xml_node() : node.next_sibling();
+}
+
 Expected<pugi::xml_node> XmlSource::parse(ReadJob& job, std::initializer_list<std::string_view> bulky) {
   long_values_ = take_long_values(bytes_, bulky, buffer_, job);
   job.checkpoint();

@@ -24,6 +24,9 @@ inline std::string_view local_name(std::string_view name) {
   return name.substr(name.find(':') + 1);
 }
 
+/// The next node within `root` in document order, for a walk without recursion; none at the end.
+pugi::xml_node next_in_document(pugi::xml_node node, pugi::xml_node root);
+
 /// Only the entities of XML are expanded. Positions are those of bytes of the file.
 ///
 /// Smallest use:

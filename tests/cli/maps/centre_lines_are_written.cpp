@@ -204,7 +204,7 @@ TEST_CASE("lines of a map in degrees are in degrees, and feature by feature with
 
   CHECK_THAT(line_fault(2, {file, "--each", "--format", "wkt"}), Catch::Contains("geojson, gpkg and fgb can"));
   CHECK_THAT(line_fault(2, {file, "--each", "--crs", "EPSG:999999"}), Catch::Contains("--crs: \"EPSG:999999\""));
-  CHECK_THAT(line_fault(2, {file, "--each", "--from", "wkt"}), Catch::Contains("features of geojson, "));
+  CHECK_THAT(line_fault(2, {file, "--each", "--from", "gpx"}), Catch::Contains("features of geojson, "));
   CHECK_THAT(line_fault(3, {folder.write("a.json", "[[0,0],[1,1]]").string(), "--each"}),
              Catch::Contains("reads features"));
   CHECK_THAT(

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// GeoPackages, FlatGeobufs and shapefiles with attributes, written by ogr2ogr; and what the program writes, read by it.
+// GeoPackages, FlatGeobufs, shapefiles and KML with attributes, written by ogr2ogr; and what the program writes, read
+// by it.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <filesystem>
@@ -95,6 +96,106 @@ TEST_CASE("the features of each kind of map keep their attributes") {
         CHECK(feature["properties"]["length"].get<double>() ==
               Approx(by_use[1]["properties"]["length"].get<double>()).epsilon(1e-4));
   }
+}
+
+TEST_CASE("the placemarks of a KML keep their attributes") {
+  const TemporaryFolder folder;
+  const std::string from = folder.write("parcels.geojson", kParcels).string();
+  for (const std::string driver : {"KML", "LIBKML"}) {
+    INFO(driver);
+    const std::string file = (folder / (driver + ".kml")).string();
+    REQUIRE(run({"-f", driver, file, from}, {.program = "ogr2ogr"}).exit_code == 0);
+    const Json lines = made({"centerline", file, "--each"});
+    const Json expected = made({"centerline", from, "--each"});
+    REQUIRE(lines["features"].size() == 2);
+    for (std::size_t i = 0; i < 2; ++i) {
+      const Json& given = lines["features"][i]["properties"];
+      CHECK(given["name"] == expected["features"][i]["properties"]["name"]);
+      CHECK(given["use"] == expected["features"][i]["properties"]["use"]);
+      CHECK(given["length"].get<double>() ==
+            Approx(expected["features"][i]["properties"]["length"].get<double>()).epsilon(1e-6));
+      CHECK(lines["features"][i].contains("id"));
+    }
+    CHECK(lines["features"][0]["properties"]["area"] == 1.5);
+    const std::string written = (folder / (driver + ".gpkg")).string();
+    made({"centerline", file, "--each", "-o", written});
+    CHECK(features_by_ogr(written)["features"][0]["properties"]["use"] == 7);
+  }
+
+  const auto strip = [](const std::string& east) {
+    return "<Polygon><outerBoundaryIs><LinearRing><coordinates>" + east + "0,50 " + east + "4,50 " + east +
+           "4,50.1 " + east + "0,50.1 " + east + "0,50</coordinates></LinearRing></outerBoundaryIs></Polygon>";
+  };
+  const std::string kml =
+      R"(<?xml version="1.0"?><kml xmlns="http://www.opengis.net/kml/2.2"><Document>)"
+      R"(<Schema id="s"><SimpleField type="int" name="lanes"/><SimpleField type="bool" name="open"/>)"
+      R"(<SimpleField type="double" name="depth"/></Schema><Folder>)"
+      R"(<Placemark id="a"><name> Isar &amp; "co" </name><description><![CDATA[<b>wide</b>]]></description>)"
+      R"(<TimeSpan><begin>1998</begin></TimeSpan><ExtendedData><Data name="name"><value>second</value></Data>)"
+      R"(<Data name="length"><displayName>x</displayName><value>007</value></Data>)"
+      R"(<SchemaData schemaUrl="#s"><SimpleData name="lanes">2</SimpleData><SimpleData name="open">1</SimpleData>)"
+      R"(<SimpleData name="depth">deep</SimpleData><SimpleData name="other">3</SimpleData></SchemaData>)"
+      R"(<camp:site>14</camp:site></ExtendedData>)" +
+      strip("8.") + "</Placemark><Placemark><name>nothing</name></Placemark><Placemark><name>S\xFC" + "d</name>" +
+      strip("9.") + "</Placemark></Folder></Document></kml>";
+  const RunResult apart = run({"centerline", "-", "--each", "--branches", "1"}, {.input = kml});
+  INFO(apart.err);
+  REQUIRE(apart.exit_code == 0);
+  CHECK_THAT(apart.err, Catch::Contains("-: feature 2: there is nothing in it to take samples of"));
+  const Json lines = Json::parse(apart.out)["features"];
+  REQUIRE(lines.size() == 2);
+  CHECK(lines[0]["id"] == "a");
+  Json given = lines[0]["properties"];
+  CHECK(given["centerline_length"].get<double>() > 10'000.0);
+  for (const char* const measured :
+       {"centerline_length", "shape", "line", "width_least", "width_mean", "width_largest"})
+    given.erase(measured);
+  CHECK(given == Json{{"name", "Isar & \"co\""},
+                      {"description", "<b>wide</b>"},
+                      {"begin", "1998"},
+                      {"name_2", "second"},
+                      {"length", "007"},
+                      {"lanes", 2},
+                      {"open", true},
+                      {"depth", "deep"},
+                      {"other", "3"},
+                      {"site", "14"}});
+  CHECK(lines[1]["id"] == 3);
+  CHECK(lines[1]["properties"]["name"] == "Süd");
+  CHECK(lines[1]["geometry"]["coordinates"][0][0].get<double>() > 9.0);
+}
+
+TEST_CASE("the geometries of WKT are numbered, and one that is wrong is named") {
+  const std::string text =
+      "SRID=25832;POLYGON ((500000 5500000, 500800 5500000, 500800 5500200, 500000 5500200, 500000 5500000))\n"
+      "POLYGN ((0 0, 1 0, 1 1, 0 0))\n"
+      "POLYGON EMPTY\n"
+      "POLYGON\n  ((501000 5500000, 501300 5500000, 501300 x, 501000 5500000))\n"
+      "CURVEPOLYGON (COMPOUNDCURVE ((502000 5500000, 502800 5500000), CIRCULARSTRING (502800 5500000, 502900 "
+      "5500100, "
+      "502800 5500200), (502800 5500200, 502000 5500200, 502000 5500000)));"
+      "MULTIPOLYGON Z (((503000 5500000 1, 503800 5500000 1, 503800 5500200 1, 503000 5500200 1, 503000 5500000 1)),"
+      "((505000 5500000 1, 505800 5500000 1, 505800 5500200 1, 505000 5500200 1, 505000 5500000 1)))\n"
+      "POLYGON ((1 2";
+  const RunResult apart = run({"centerline", "-", "--each", "--extend"}, {.input = text});
+  INFO(apart.err);
+  REQUIRE(apart.exit_code == 0);
+  CHECK_THAT(apart.err, Catch::Contains("feature 2: expected a geometry such as POLYGON, found \"POLYGN\"") &&
+                            Catch::Contains("feature 3: there is nothing in it to take samples of") &&
+                            Catch::Contains("feature 4: expected a number, found \"x\"") &&
+                            Catch::Contains("feature 7: "));
+  const Json lines = Json::parse(apart.out)["features"];
+  std::vector<int> ids;
+  for (const Json& line : lines) ids.push_back(line["id"]);
+  CHECK(ids == std::vector<int>{1, 5, 6, 6});
+  // UTM zone 32 has 9 degrees east at 500 km.
+  for (const Json& line : lines)
+    CHECK(line["geometry"]["coordinates"][0][0].get<double>() == Approx(9.0).margin(0.1));
+  CHECK(lines[0]["properties"]["length"].get<double>() == Approx(800.0).epsilon(1e-3));
+  CHECK(lines[1]["properties"]["length"].get<double>() == Approx(900.0).epsilon(1e-2));
+  // Text that does not begin as WKT is not taken apart, though it may have as many lines as it likes.
+  for (const char* const other : {"\x01\x02 (((\n\n(((", "[[1, 2],\n[3, 4]]", ""})
+    CHECK_THAT(map_fault(3, {"centerline", "-", "--each", "--from", "wkt"}, other), Catch::Contains("no features"));
 }
 
 TEST_CASE("a GeoPackage may have several layers, tables without geometries and curves") {
@@ -195,8 +296,9 @@ TEST_CASE("a map that GDAL cannot read is one line") {
   const std::string garbage = folder.write("garbage.gpkg", "garbage\x01\x02").string();
   CHECK_THAT(map_fault(3, {"compute", garbage}),
              Catch::Contains("cannot read the map") && !Catch::Contains("vsimem"));
-  CHECK_THAT(map_fault(3, {"centerline", "-", "--each"}, "POLYGON ((0 0, 1 0, 1 1, 0 0))"),
-             Catch::Contains("GeoPackages"));
+  CHECK_THAT(map_fault(3, {"centerline", "-", "--each"}, "1 2\n3 4\n"), Catch::Contains("GeoPackages"));
+  CHECK_THAT(map_fault(3, {"centerline", "-", "--each"}, "<kml><Placemark></kml>"), Catch::Contains("-:1:"));
+  CHECK_THAT(map_fault(3, {"centerline", "-", "--each"}, "<kml></kml>"), Catch::Contains("no features"));
   const std::string both = folder.write("strip.wkt", "POLYGON ((0 0, 800 0, 800 200, 0 200, 0 0))").string();
   CHECK_THAT(map_fault(2, {"export", both, "--layer", "points", "--format", "gpkg-areas"}),
              Catch::Contains("points"));

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The features of a map, each as a map of its own in the same format, with its attributes.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/error.h"
+
+namespace mes {
+
+struct MapFeature {
+  std::string text{};               ///< file with this feature alone, in the coordinate system of the map
+  std::string id{};                 ///< JSON; empty: none
+  std::string properties{};         ///< JSON members without the braces
+  std::vector<std::string> keys{};  ///< names of the properties
+};
+
+/// The placemarks of a KML. Name, description, address, telephone number and times are properties, and so is all of
+/// `ExtendedData`; numbers and flags of a schema are those of JSON, other values are text. A name that is taken gets a
+/// number. Text that is not UTF-8 is read as Latin-1. Error: `bad_input` with line and column for text that is not XML.
+Expected<std::vector<MapFeature>> kml_features(std::string_view bytes, const std::string& name);
+
+/// The geometries of WKT, which have neither ids nor properties. Never fails: a feature ends where its parentheses are
+/// closed, or with the line if it is no geometry, and reading its text tells what is wrong with it.
+std::vector<MapFeature> wkt_features(std::string_view bytes);
+
+}  // namespace mes
