@@ -7,6 +7,7 @@
 #include <memory>
 #include <utility>
 
+#include "core/base/quick_length.h"
 #include "core/curves/cuts.h"
 #include "core/curves/line_regions.h"
 #include "core/curves/resolution.h"
@@ -16,19 +17,49 @@
 namespace mes {
 namespace {
 
-void remove_cuts(CurveSet& curves, const std::function<bool(Vec2)>& on_cut, ReadJob& job) {
+/// Whether an outline follows all its parts twice. Areas are compared first, which is quick.
+bool has_no_width(const PlaneCurve& curve, double resolution, ReadJob& job) {
+  constexpr double kThin = 1e-4;  // of the square of its size
+  if (!curve.is_closed() || !curve.is_polyline()) return false;
+  const std::vector<Vec2>& points = curve.points();
+  double twice_area = 0.0;
+  double size = 0.0;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    twice_area += cross(points[i - 1] - points[0], points[i] - points[0]);
+    size = std::max(size, quick_length(points[i] - points[0]));
+  }
+  if (!(std::abs(twice_area) <= kThin * size * size)) return false;
+  return without_cuts(
+             {curve}, resolution, [](Vec2) { return false; }, job.control())
+      .empty();
+}
+
+/// Returns the number of outlines without a width, which are removed; if nothing remains, that of all outlines.
+std::size_t remove_cuts(CurveSet& curves, const std::function<bool(Vec2)>& on_cut, ReadJob& job) {
   if (curves.resolution == 0.0) {
     double coarsest = 1.0;
     for (const PlaneCurve& curve : curves.curves)
       if (coarsest > 0.0) coarsest = std::min(coarsest, resolution_of(curve.points()));
     curves.resolution = coarsest;
   }
+  const auto flat = std::ranges::count_if(
+      curves.curves, [&](const PlaneCurve& curve) { return has_no_width(curve, curves.resolution, job); });
+  const auto all = std::ranges::count_if(curves.curves, &PlaneCurve::is_closed);
   curves.curves = without_cuts(std::move(curves.curves), curves.resolution, on_cut, job.control());
+  return static_cast<std::size_t>(curves.is_empty() ? all : flat);
 }
 
-/// Samples curves without cutting them.
-Expected<LoadedFile> samples_of(CurveSet curves, const SamplingRequest& wanted, const std::string& name,
-                                ReadJob& job) {
+/// A sentence on outlines that follow all their parts twice.
+std::string about_flat(std::size_t count, bool are_all) {
+  if (are_all) return count == 1 ? "its outline has no width" : fmt::format("its {} outlines have no width", count);
+  return count == 1 ? "an outline without a width is left out"
+                    : fmt::format("{} outlines without a width are left out", count);
+}
+
+/// Samples curves without cutting them. `flat` is the number of outlines without a width that were removed.
+Expected<LoadedFile> samples_of(CurveSet curves, const SamplingRequest& wanted, const std::string& name, ReadJob& job,
+                                std::size_t flat) {
+  if (flat != 0 && curves.is_empty()) return bad_input(about_flat(flat, true), name, 1, 1);
   const SamplingRequest request = job.keeps_vertices() ? SamplingRequest{.rule = SamplingRule::vertices} : wanted;
   curves.curves = with_line_regions(std::move(curves.curves), curves.resolution, job.control());
   auto samples = sample(curves, request, {}, job.control());
@@ -38,6 +69,7 @@ Expected<LoadedFile> samples_of(CurveSet curves, const SamplingRequest& wanted, 
   if (!data) return bad_input(data.error().text, name, 1, 1);
   LoadedFile file;
   file.data = *std::move(data);
+  if (flat != 0) file.warnings.push_back(Error{ErrorCode::bad_input, about_flat(flat, false), name}.message());
   return file;
 }
 
@@ -45,19 +77,19 @@ Expected<LoadedFile> samples_of(CurveSet curves, const SamplingRequest& wanted, 
 
 Expected<LoadedFile> load_samples(CurveSet curves, const SamplingRequest& wanted, const std::string& name,
                                   ReadJob& job) {
-  remove_cuts(
+  const std::size_t flat = remove_cuts(
       curves, [](Vec2) { return false; }, job);
-  return samples_of(std::move(curves), wanted, name, job);
+  return samples_of(std::move(curves), wanted, name, job, flat);
 }
 
 Expected<LoadedFile> load_samples(CurveSet curves, const std::string& name, ReadJob& job,
                                   const std::function<bool(Vec2)>& on_cut, std::size_t added_vertices) {
-  remove_cuts(curves, on_cut, job);
+  const std::size_t flat = remove_cuts(curves, on_cut, job);
   const SamplingRequest request = default_sampling(curves);
   std::size_t vertices = curves.points.size();
   for (const PlaneCurve& curve : curves.curves) vertices += curve.piece_count() + (curve.is_closed() ? 0 : 1);
   vertices -= std::min(vertices, added_vertices);
-  auto file = samples_of(std::move(curves), request, name, job);
+  auto file = samples_of(std::move(curves), request, name, job, flat);
   if (!file || job.keeps_vertices() || request.rule != SamplingRule::refined) return file;
   const std::size_t samples = file->data.positions.size();
   if (samples <= vertices) return file;

@@ -341,6 +341,31 @@ TEST_CASE(
     CHECK_THAT(result.err, Catch::Contains(named));
 }
 
+TEST_CASE("an outline without a width is named as such") {
+  const auto polygon = [](const std::string& corners) {
+    return R"({"type":"Feature","properties":{},"geometry":{"type":"Polygon","coordinates":[[)" + corners + "]]}}";
+  };
+  const auto map_of = [](const std::string& features) {
+    return R"({"type":"FeatureCollection","features":[)" + features + "]}";
+  };
+  const std::string along = polygon("[8,50],[8.004,50],[8.008,50],[8,50]");
+  const std::string spike = polygon("[9,50],[9.003,50],[9.003,50.002],[9.003,50],[9,50]");
+  const std::string house = polygon("[8,50],[8.0004,50],[8.0004,50.0001],[8,50.0001],[8,50]");
+  CHECK_THAT(line_fault(3, {"-"}, map_of(along)), Catch::EndsWith("its outline has no width\n"));
+  CHECK_THAT(line_fault(3, {"-"}, map_of(along + ',' + spike)), Catch::EndsWith("its 2 outlines have no width\n"));
+  CHECK_THAT(line_fault(3, {"-"}, "POLYGON ((0 0, 3 1, 9 3, 0 0))"), Catch::Contains("no width"));
+  CHECK_THAT(line_fault(3, {"-"}, "POLYGON ((0 0, 10 0, 10 10, 10 0, 0 0))"), Catch::Contains("no width"));
+  const RunResult apart = run({"centerline", "-", "--each"}, {.input = map_of(along + ',' + house + ',' + spike)});
+  CHECK(apart.exit_code == 0);
+  CHECK_THAT(apart.err, Catch::Contains("feature 1: its outline has no width") &&
+                            Catch::Contains("feature 3: its outline has no width"));
+  CHECK(Json::parse(apart.out)["features"].size() == 1);
+  const RunResult together = run({"centerline", "-"}, {.input = map_of(spike + ',' + house)});
+  CHECK(together.exit_code == 0);
+  CHECK_THAT(together.err, Catch::Contains("an outline without a width is left out"));
+  CHECK(Json::parse(together.out)["features"].size() == 1);
+}
+
 TEST_CASE("the samples of a session stay, and those of a drawing are taken again") {
   const TemporaryFolder folder;
   const std::string strip = folder.write("strip.wkt", kStrip).string();
