@@ -7,7 +7,7 @@
 #include <memory>
 #include <utility>
 
-#include "core/base/quick_length.h"
+#include "core/base/geometry/quick_length.h"
 #include "core/curves/cuts.h"
 #include "core/curves/line_regions.h"
 #include "core/curves/resolution.h"

@@ -84,10 +84,18 @@ class MapPlacement {
 
   void split_lines(bool are_split) { splits_ = are_split && is_azimuthal(); }
 
-  /// The azimuthal projection bends lines between degrees. Where this can be seen, the line gets vertices.
+  /// The azimuthal projection bends lines between degrees. Where this can be seen, the line gets vertices. It goes the
+  /// short way across the 180th meridian, and along a meridian to a pole.
   void add_line(PlaneCurve& curve, Vec2 from, Vec2 to, Vec2 placed_to) {
     constexpr int kDeepest = 12;
-    if (splits_) split_line(curve, from, to, placed_to, kDeepest);
+    if (splits_) {
+      const double half_turn = system_.half_turn();
+      // Equal numbers in both directions, so that a line back has the same vertices.
+      if (std::abs(to.x - from.x) > half_turn) (from.x < to.x ? from : to).x += 2.0 * half_turn;
+      if (std::abs(from.y) == 0.5 * half_turn) from.x = to.x;
+      if (std::abs(to.y) == 0.5 * half_turn) to.x = from.x;
+      split_line(curve, from, to, placed_to, kDeepest);
+    }
     curve.line_to(placed_to);
   }
 
@@ -231,6 +239,58 @@ Expected<std::optional<CoordinateSystem>> MapShapes::system_of_positions() const
                                               outside->x, outside->y, system->title())});
 }
 
+MapShapes::Turns MapShapes::turns(double half_turn) const {
+  Turns out;
+  std::size_t number = 0;
+  std::size_t begin = 0;
+  for (const Part& part : parts_) {
+    const std::span<const Vec2> all = std::span(positions_).subspan(begin, part.end - begin);
+    begin = part.end;
+    if (part.kind == Kind::points) continue;
+    ++number;
+    const bool is_ring = part.kind == Kind::ring;
+    double turned = 0.0;
+    bool has_long_side = false;
+    bool has_pole = false;
+    Vec2 before = is_ring ? all.back() : all.front();
+    for (const Vec2 p : all) {
+      const double step = p.x - before.x;
+      turned += std::remainder(step, 2.0 * half_turn);
+      has_long_side = has_long_side || std::abs(step) == 2.0 * half_turn;
+      has_pole = has_pole || std::abs(p.y) == 0.5 * half_turn;
+      if (std::abs(step) <= half_turn && (p.x < 0.0) != (before.x < 0.0)) out.sides.cross_zero = true;
+      before = p;
+    }
+    const bool is_around = is_ring && std::abs(turned) > half_turn;
+    if (is_around && !has_pole && out.around_pole == 0) out.around_pole = number;
+    if (has_long_side && !is_around) out.sides.are_long = true;
+  }
+  return out;
+}
+
+void MapShapes::unroll(double half_turn) {
+  const double turn = 2.0 * half_turn;
+  std::size_t begin = 0;
+  for (const Part& part : parts_) {
+    const std::span<Vec2> all = std::span(positions_).subspan(begin, part.end - begin);
+    begin = part.end;
+    if (part.kind == Kind::points) continue;
+    double shift = 0.0;
+    const auto follow = [&](double step) {
+      if (half_turn < std::abs(step) && std::abs(step) < turn) shift -= std::copysign(turn, step);
+    };
+    std::vector<double> along{all.front().x};
+    for (std::size_t i = 1; i < all.size(); ++i) {
+      follow(all[i].x - all[i - 1].x);
+      along.push_back(all[i].x + shift);
+    }
+    if (part.kind == Kind::ring) follow(all.front().x - all.back().x);
+    const auto [low, high] = std::ranges::minmax(along);
+    if (high - low > half_turn || (part.kind == Kind::ring && shift != 0.0)) continue;
+    for (std::size_t i = 0; i < all.size(); ++i) all[i].x = along[i];
+  }
+}
+
 // A hole that repeats an outer ring in the same direction would be dropped as a duplicate; in the other direction it is
 // the border of both.
 void MapShapes::turn_filled_holes(std::vector<PlaneCurve>& curves) const {
@@ -276,8 +336,15 @@ Expected<LoadedFile> MapShapes::load(const std::string& name, ReadJob& job) && {
     MapPlacement in_plane;
     return load_samples(curves(in_plane, job), name, job);
   }
-  auto chosen = choose_plane(positions_, **system, degrees_);
+  const Turns turns = (*system)->is_geographic ? this->turns((*system)->half_turn()) : Turns{};
+  auto chosen = choose_plane(positions_, **system, degrees_, turns.sides);
   if (!chosen) return refused(chosen.error());
+  if (chosen->plane.projection == MapProjection::equirectangular && turns.around_pole != 0)
+    return refused({ErrorCode::bad_input,
+                    fmt::format("outline {} goes around a pole, and the map reaches beyond the hemisphere of that "
+                                "pole; no plane holds both",
+                                turns.around_pole)});
+  if (chosen->plane.projection == MapProjection::equirectangular) unroll((*system)->half_turn());
   auto conversion = MapConversion::of(chosen->plane, MapTarget::own_system);
   if (!conversion) return refused(conversion.error());
   MapPlacement placement(chosen->plane, **system, *std::move(conversion));

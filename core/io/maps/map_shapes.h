@@ -14,6 +14,7 @@
 #include "core/base/geometry/vec2.h"
 #include "core/curves/curve.h"
 #include "core/io/format.h"
+#include "core/io/systems/chosen_plane.h"
 #include "core/io/systems/coordinate_system.h"
 #include "core/io/text/read_job.h"
 
@@ -71,7 +72,8 @@ class MapShapes {
   /// the 180th meridian stays in one piece, and polygons cut there are joined. Kept degrees stay bit for bit, so such a
   /// map has pieces at both ends. Long lines of projected degrees follow the straight line between degrees, by more
   /// vertices unless the job keeps vertices. A warning names system and plane, and the data keep them
-  /// (`SampleData::map`). Error: as `load_samples`; for a position that is not in the named system. Throws `Cancelled`.
+  /// (`SampleData::map`). Error: as `load_samples`; for a position that is not in the named
+  /// system; for a ring around a pole on a map that reaches beyond the hemisphere of the pole. Throws `Cancelled`.
   Expected<LoadedFile> load(const std::string& name, ReadJob& job) &&;
 
  private:
@@ -85,6 +87,16 @@ class MapShapes {
   std::size_t begin() const { return parts_.empty() ? 0 : parts_.back().end; }
   Expected<std::optional<CoordinateSystem>> system_of_positions() const;
   CurveSet curves(MapPlacement& placement, ReadJob& job);
+  struct Turns {
+    /// Number, among lines and rings, of the first ring that goes around the Earth without a corner at a pole; 0: none.
+    /// With such a corner, as maps of the world draw Antarctica, it is a ring in a plane of longitude and latitude too.
+    std::size_t around_pole = 0;
+    SidesOnEarth sides{};
+  };
+  Turns turns(double half_turn) const;
+  /// Lets lines and rings with sides across the 180th meridian go on beyond it, if they are then less than half a turn
+  /// wide. A map of the world is not joined there as a whole.
+  void unroll(double half_turn);
   void turn_filled_holes(std::vector<PlaneCurve>& curves) const;
 
   MapDegrees degrees_;

@@ -36,14 +36,15 @@ struct ProjectedPlane {
 };
 
 /// Projects about the middle of the map, or about the pole that it surrounds.
-Expected<ProjectedPlane> projected_plane(std::vector<Vec2>& positions, const CoordinateSystem& system) {
+Expected<ProjectedPlane> projected_plane(std::vector<Vec2>& positions, const CoordinateSystem& system,
+                                         SidesOnEarth sides) {
   const double half_turn = system.half_turn();
   Box2 box = box_around(positions);
-  const double turned = eastern_width(positions, half_turn);
+  const double turned = sides.are_long ? box.width() : eastern_width(positions, half_turn);
   // A map on one hemisphere that is wider than half a turn, wherever it is cut, surrounds a pole.
   const bool is_around = std::min(box.width(), turned) > half_turn;
-  const bool is_polar = is_around && (box.low.y >= 0.0 || box.high.y <= 0.0);
-  if (!is_polar && turned < box.width()) {
+  const bool is_polar = is_around && !sides.are_long && (box.low.y >= 0.0 || box.high.y <= 0.0);
+  if (!is_polar && turned < box.width() && !(is_around && sides.cross_zero)) {
     for (Vec2& p : positions) p = eastern(p, half_turn);
     box = box_around(positions);
   }
@@ -98,11 +99,12 @@ std::string remark_of(const MapPlane& plane, const CoordinateSystem& system, dou
 
 }  // namespace
 
-Expected<ChosenPlane> choose_plane(std::vector<Vec2>& positions, const CoordinateSystem& system, MapDegrees degrees) {
+Expected<ChosenPlane> choose_plane(std::vector<Vec2>& positions, const CoordinateSystem& system, MapDegrees degrees,
+                                   SidesOnEarth sides) {
   ChosenPlane out{.plane = {.system = system.id, .unit = system.unit}};
   std::vector<Vec2> extremes;
   if (system.is_geographic && degrees == MapDegrees::projected && !positions.empty()) {
-    auto projected = projected_plane(positions, system);
+    auto projected = projected_plane(positions, system, sides);
     if (!projected) return std::unexpected(projected.error());
     out.plane = std::move(projected->plane);
     extremes = {{projected->farthest, 0.0}};

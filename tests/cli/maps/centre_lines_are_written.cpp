@@ -341,6 +341,80 @@ TEST_CASE(
     CHECK_THAT(result.err, Catch::Contains(named));
 }
 
+TEST_CASE("a map around a pole is computed about it, or is one line if no plane holds it") {
+  using Ring = std::vector<std::pair<double, double>>;
+  const auto around = [](double latitude, double wave = 0.0) {
+    Ring out;
+    for (int i = -18; i < 18; ++i) out.emplace_back(10.0 * i, latitude + (i % 2 == 0 ? wave : -wave));
+    return out;
+  };
+  const auto feature = [](const std::vector<Ring>& rings) {
+    Json all = Json::array();
+    for (const Ring& ring : rings) {
+      Json& one = all.emplace_back(Json::array());
+      for (const auto& [x, y] : ring) one.push_back({x, y});
+      one.push_back(one.front());
+    }
+    return Json{{"type", "Feature"},
+                {"properties", Json::object()},
+                {"geometry", {{"type", "Polygon"}, {"coordinates", all}}}};
+  };
+  const auto map_of = [](const std::vector<Json>& features) {
+    return Json{{"type", "FeatureCollection"}, {"features", features}}.dump();
+  };
+  const auto house = feature({{{8.0, 50.0}, {8.0004, 50.0}, {8.0004, 50.0001}, {8.0, 50.0001}}});
+  const auto lines_of = [&](const std::vector<Json>& features, const std::vector<std::string>& more = {}) {
+    return Json::parse(lines_written(with({"-"}, more), map_of(features)))["features"];
+  };
+
+  // Between two parallels, whether they are cut at the 180th meridian or not.
+  for (const double latitude : {60.0, -80.0}) {
+    for (const bool is_cut : {false, true}) {
+      Ring outer = around(latitude);
+      if (is_cut) outer.emplace_back(180.0, latitude);
+      const Json lines = lines_of({feature({outer, around(latitude + 10.0)})});
+      REQUIRE(lines.size() == 1);
+      for (const Json& part : lines[0]["geometry"]["coordinates"])
+        for (const Json& place : part) CHECK(place[1].get<double>() == Approx(latitude + 5.0).margin(0.1));
+    }
+  }
+  CHECK(lines_of({feature({around(70)}), house}).size() == 1);
+  // A wedge to the pole is between two meridians.
+  const Json wedge = lines_of({feature({{{0, 90}, {0, 89}, {20, 89}}})}, {"--prune", "1"});
+  REQUIRE(wedge.size() == 1);
+  for (const Json& place : wedge[0]["geometry"]["coordinates"])
+    CHECK(place[0].get<double>() == Approx(10.0).margin(0.5));
+
+  const std::string elsewhere = map_of({feature({around(-70)}), house});
+  CHECK_THAT(line_fault(3, {"-"}, elsewhere), Catch::Contains("-:1:1: outline 1 goes around a pole"));
+  CHECK_THAT(line_fault(3, {"-"}, map_of({house, feature({around(0, 10)})})),
+             Catch::Contains("outline 2 goes around"));
+  const RunResult apart = run({"centerline", "-", "--each"},
+                              {.input = map_of({feature({around(0, 10)}), feature({around(-70)}), house})});
+  CHECK(apart.exit_code == 0);
+  CHECK(std::ranges::count(apart.err, '\n') == 3);
+  CHECK_THAT(apart.err, Catch::Contains("feature 1: outline 1 goes around a pole") &&
+                            Catch::Contains("feature 2: there is no centre line: every shape"));
+  REQUIRE(Json::parse(apart.out)["features"].size() == 1);
+
+  // A frame of the world, and Antarctica as maps of the world draw it, are in one plane with all others.
+  const Ring frame{{-180, -90}, {180, -90}, {180, 90}, {-180, 90}};
+  Ring antarctica = around(-70);
+  antarctica.insert(antarctica.end(), {{180, -70}, {180, -90}, {-180, -90}});
+  const Json world = lines_of({feature({frame, {{7.0, 49.0}, {7.0, 51.0}, {9.0, 51.0}, {9.0, 49.0}}})});
+  REQUIRE(world.size() == 1);
+  CHECK(lines_of({feature({antarctica}), house}).size() == 2);
+  // So are islands across the 180th meridian, though the map cannot be joined there as a whole.
+  const Json islands = lines_of({feature({{{-0.1, 50}, {0.1, 50}, {0.1, 50.05}, {-0.1, 50.05}}}),
+                                 feature({{{-71, -30}, {-70, -30}, {-70, -29.8}, {-71, -29.8}}}),
+                                 feature({{{177, -18}, {-178, -18}, {-178, -17}, {177, -17}}})});
+  REQUIRE(islands.size() == 3);
+  CHECK(islands[0]["geometry"]["type"] == "MultiLineString");
+  CHECK(islands[0]["properties"]["length"].get<double>() < 600.0);
+  for (const Json& part : islands[0]["geometry"]["coordinates"])
+    for (const Json& place : part) CHECK(std::abs(place[0].get<double>()) > 177.0);
+}
+
 TEST_CASE("an outline without a width is named as such") {
   const auto polygon = [](const std::string& corners) {
     return R"({"type":"Feature","properties":{},"geometry":{"type":"Polygon","coordinates":[[)" + corners + "]]}}";

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 namespace mes {
@@ -59,6 +60,23 @@ void shift(Places& corners, double longitude) {
   for (Vec2& p : corners) p.x += longitude;
 }
 
+/// Cuts a chain from any longitude up to half a turn at each 180th meridian, and moves the pieces there.
+std::vector<Places> chain_in_turn(const Places& corners, double half_turn) {
+  const double turn = 2.0 * half_turn;
+  const double low = std::ranges::min_element(corners, {}, &Vec2::x)->x;
+  std::vector<Places> out{corners};
+  for (double meridian = -half_turn; low < meridian; meridian -= turn) {
+    std::vector<Places> pieces;
+    for (const Places& part : out) std::ranges::move(cut_chain(part, meridian), std::back_inserter(pieces));
+    out = std::move(pieces);
+  }
+  for (Places& part : out) {
+    const auto [least, most] = std::ranges::minmax(part, {}, &Vec2::x);
+    shift(part, -turn * std::round(0.5 * (least.x + most.x) / turn));
+  }
+  return out;
+}
+
 }  // namespace
 
 std::vector<std::vector<Vec2>> parts_on_earth(const StraightShape& shape, const MapConversion& conversion) {
@@ -75,11 +93,13 @@ std::vector<std::vector<Vec2>> parts_on_earth(const StraightShape& shape, const 
     for (std::size_t i = 1; i < corners.size(); ++i)
       corners[i].x = corners[i - 1].x + std::remainder(corners[i].x - corners[i - 1].x, turn);
     const bool is_closed = shape.corners.front() == shape.corners.back();
-    if (is_closed && std::abs(corners.back().x - corners.front().x) > half_turn) return {};
-    if (is_closed) corners.back() = corners.front();
+    const bool is_around = is_closed && std::abs(corners.back().x - corners.front().x) > half_turn;
+    if (is_around && shape.kind == StraightKind::polygon) return {};
+    if (is_closed && !is_around) corners.back() = corners.front();
   }
+  constexpr double kMostTurns = 8.0;  // of a chain; a spiral at a pole may have any number
   const auto [low, high] = std::ranges::minmax(corners, {}, &Vec2::x);
-  if (high.x - low.x > turn) return {};
+  if (high.x - low.x > turn * (shape.kind == StraightKind::polygon ? 1.0 : kMostTurns)) return {};
   const double turns = std::ceil((high.x - half_turn) / turn);
   if (turns != 0.0) shift(corners, -turn * turns);
   if (low.x - turn * turns >= -half_turn) return {std::move(corners)};
@@ -88,7 +108,7 @@ std::vector<std::vector<Vec2>> parts_on_earth(const StraightShape& shape, const 
   if (shape.kind == StraightKind::polygon)
     out = {cut_ring(corners, -half_turn, 1.0), cut_ring(corners, -half_turn, -1.0)};
   else
-    out = cut_chain(corners, -half_turn);
+    out = chain_in_turn(corners, half_turn);
   std::erase_if(out, [](const Places& part) { return part.size() < 2; });
   for (Places& part : out)
     if (std::ranges::any_of(part, [&](Vec2 p) { return p.x < -half_turn; })) shift(part, turn);

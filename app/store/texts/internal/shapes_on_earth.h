@@ -12,7 +12,8 @@ namespace mes {
 
 /// Longitudes are from -180 to 180 and latitudes from -90 to 90: a shape across the 180th meridian is cut there, as
 /// RFC 7946 (3.1.9) requires, and may become several chains or polygons. Returns none for a shape that reaches beyond
-/// a pole, around a pole or all around the Earth, or out of the system. O(corners).
+/// a pole or out of the system, for a polygon around a pole or all around the Earth, and for a chain of more than eight
+/// turns around it. O(corners).
 std::vector<std::vector<Vec2>> parts_on_earth(const StraightShape& shape, const MapConversion& conversion);
 
 /// The same with the holes of a polygon, each in the part around it. Null: the shape stays in the plane, as one part.
