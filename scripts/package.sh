@@ -167,6 +167,9 @@ mkdir "$bare/opt/a place"
 tar -x -C "$bare/opt/a place" -f "$archive"
 chmod -R a-w "$bare/opt/a place"
 check_computed "$unpacked/mesecina" "$unpacked/share/mesecina"
+# Other programs, such as conda, leave a folder there that may be gone, or have a database of another version.
+in_bare env PROJ_LIB=/gone PROJ_DATA=/gone "$unpacked/mesecina" export - --layer points --format geojson \
+  <<<"$grid_point" 2>/dev/null | cmp - "$staged/expected.geojson" || fail "it does not find its own database of PROJ"
 say "The archive computes without any package."
 
 cp "$package" "$bare/tmp"
