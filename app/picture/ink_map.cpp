@@ -11,21 +11,33 @@ namespace {
 
 constexpr int kCell = 4;  // pixels
 
-bool is_ink(const std::uint8_t* pixel, const std::array<int, 3>& canvas) {
+/// What a pixel without ink looks like, in the channels that count.
+struct InkPaper {
+  std::array<int, 4> color{};
+  std::size_t channels = 0;
+};
+
+InkPaper paper_of(const std::optional<Rgb>& canvas) {
+  // The alpha of a window is anything.
+  if (canvas) return {{canvas->r, canvas->g, canvas->b, 0}, 3};
+  return {{}, 4};
+}
+
+bool is_ink(const std::uint8_t* pixel, const InkPaper& paper) {
   constexpr int kVisible = 8;  // difference of a channel
-  for (std::size_t i = 0; i < canvas.size(); ++i)
-    if (std::abs(int{pixel[i]} - canvas[i]) > kVisible) return true;
+  for (std::size_t i = 0; i < paper.channels; ++i)
+    if (std::abs(int{pixel[i]} - paper.color[i]) > kVisible) return true;
   return false;
 }
 
 }  // namespace
 
-InkMap::InkMap(const render::RawImage& picture, const render::Camera& camera, Rgb canvas)
+InkMap::InkMap(const render::RawImage& picture, const render::Camera& camera, const std::optional<Rgb>& canvas)
     : camera_(camera),
       columns_((picture.width + kCell - 1) / kCell),
       rows_((picture.height + kCell - 1) / kCell),
       sums_((static_cast<std::size_t>(columns_) + 1) * (static_cast<std::size_t>(rows_) + 1)) {
-  const std::array<int, 3> paper{canvas.r, canvas.g, canvas.b};
+  const InkPaper paper = paper_of(canvas);
   const auto stride = static_cast<std::size_t>(columns_) + 1;
   const std::uint8_t* pixel = picture.rgba.data();
   // Row 0 of the picture is the lowest.

@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "core/base/color.h"
@@ -22,8 +23,8 @@ class InkMap {
  public:
   /// Nothing is drawn.
   InkMap() = default;
-  /// `picture`: as `camera` sees it, on a canvas of this colour.
-  InkMap(const render::RawImage& picture, const render::Camera& camera, Rgb canvas);
+  /// `picture`: as `camera` sees it, on a canvas of this colour, or on a transparent one.
+  InkMap(const render::RawImage& picture, const render::Camera& camera, const std::optional<Rgb>& canvas);
 
   /// Divides a box, in pixels from the upper left, into about 64 nearly square parts, and counts those in which
   /// something is drawn. `now` is the camera that sees the drawing there.

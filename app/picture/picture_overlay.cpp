@@ -51,7 +51,7 @@ void PictureOverlay::paint(render::Image& image) const {
 }
 
 PictureOverlay picture_overlay_of(OverlayContent content, std::shared_ptr<const PaperFonts> fonts,
-                                  const OverlayTarget& target) {
+                                  const OverlayTarget& target, const InkMap* ink) {
   PictureOverlay out{.fonts = std::move(fonts),
                      .legend = {},
                      .highlights = {},
@@ -64,19 +64,29 @@ PictureOverlay picture_overlay_of(OverlayContent content, std::shared_ptr<const 
   if (!out.fonts) return out;
   const auto& [camera, scale, background] = target;
   const MeasureText measure = measure_with(*out.fonts, scale);
+  std::vector<Box2> words;
+  LegendSurroundings around{.place = content.legend_at};
   if (!content.annotations.is_empty()) {
     AnnotationDrawing drawn = layout_annotations(content.annotations, seen_plane(camera, scale), measure, background);
     out.highlights = std::move(drawn.highlights);
     out.annotations = std::move(drawn.drawing);
+    if (ink != nullptr) words = std::move(drawn.words);
   }
   SeenPlane plane = seen_plane(camera, scale);
   plane.covered = caption_size(camera.width(), camera.height(), out.fonts->bold, out.caption).band / scale;
   plane.covered_above = out.title.height;
   plane.unit = std::move(content.unit);
+  if (ink != nullptr) {
+    around.words = words;
+    around.hides = [&](const Box2& box) { return ink->parts_below({scale * box.low, scale * box.high}, camera); };
+    content.marks =
+        with_free_bar(content.marks, plane, measure, [&](const Box2& box) { return around.cost_of(box); });
+  }
   if (!content.marks.is_empty()) out.marks = layout_scale_marks(content.marks, plane, measure, background);
   const MarksPlace marks = place_of_marks(content.marks, plane, measure);
-  out.legend = place_legend(content.legend, *out.fonts, scale,
-                            {.room = marks.room, .bar = marks.longest_bar, .place = content.legend_at}, background);
+  around.room = marks.room;
+  around.bar = marks.longest_bar;
+  out.legend = place_legend(content.legend, *out.fonts, scale, around, background);
   return out;
 }
 

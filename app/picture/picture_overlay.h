@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "app/picture/annotations/annotation_drawing.h"
+#include "app/picture/ink_map.h"
 #include "app/picture/paper/legend_place.h"
 #include "app/settings/scale_marks.h"
 #include "core/base/color.h"
@@ -57,12 +58,13 @@ struct OverlayContent {
   ScaleMarks marks{};
   PlacedAnnotations annotations{};
   PaperDrawing title{};                   ///< made by `layout_title`
-  std::optional<PaperPlace> legend_at{};  ///< nothing: the lower right corner
+  std::optional<PaperPlace> legend_at{};  ///< nothing: the lower right corner, or a free one
   std::string unit{};                     ///< of lengths, as `unit_of_lengths` gives it
 };
 
-/// Without fonts the overlay is empty.
+/// Without fonts the overlay is empty. Legend and scale bar without a given position avoid what is drawn, if `ink` says
+/// where that is; without it they do not depend on the drawing, as in a sequence of pictures.
 PictureOverlay picture_overlay_of(OverlayContent content, std::shared_ptr<const PaperFonts> fonts,
-                                  const OverlayTarget& target);
+                                  const OverlayTarget& target, const InkMap* ink = nullptr);
 
 }  // namespace mes

@@ -48,6 +48,12 @@ fs::path video_name(const fs::path& take) {
   return out;
 }
 
+/// Marks without a position of their own are where the window shows them.
+void keep_places(OverlayContent& content, const MarkPlaces& shown) {
+  if (shown.bar) content.marks.bar_at = shown.bar;
+  if (shown.legend) content.legend_at = shown.legend;
+}
+
 }  // namespace
 
 WindowRecorder::WindowRecorder(Picture& picture, Messages& messages, std::shared_ptr<const PaperFonts> fonts,
@@ -254,14 +260,21 @@ bool WindowRecorder::ask_sheet(const Drawn& drawn, const RecordSettings& setting
                                       {main.left, main.top, main.width, main.height}, drawn.content_scale, pane_size);
     const Document& document = panes[i].version != nullptr ? *panes[i].version : drawn.editor.document();
     const LegendScope legend = i == 0 || !is_explained_once ? drawn.state.legend : LegendScope::none;
-    PictureOverlay overlay = picture_overlay_of({picture_.legend(layers[i], legend),
-                                                 i == 0 ? drawn.state.caption : std::string(),
-                                                 marks,
-                                                 drawn.state.annotations ? place(document) : PlacedAnnotations{},
-                                                 {},
-                                                 drawn.state.legend_at,
-                                                 unit_of_lengths(document)},
-                                                fonts_, {view.camera, view.content_scale, behind});
+    OverlayContent content{picture_.legend(layers[i], legend),
+                           i == 0 ? drawn.state.caption : std::string(),
+                           marks,
+                           drawn.state.annotations ? place(document) : PlacedAnnotations{},
+                           {},
+                           drawn.state.legend_at,
+                           unit_of_lengths(document)};
+    const bool is_frame = shared->use == Use::frame;
+    if (i == 0 && !is_frame) keep_places(content, drawn.marks);
+    auto overlay = [content = std::move(content), fonts = fonts_, is_frame,
+                    target = OverlayTarget{view.camera, view.content_scale, behind}](const render::RawImage& raw) {
+      if (is_frame) return picture_overlay_of(content, fonts, target);
+      const InkMap ink(raw, target.camera, target.background);
+      return picture_overlay_of(content, fonts, target, &ink);
+    };
     const render::CaptureOptions options{
         .background = behind, .content_scale = view.content_scale, .supersampling = settings.supersampling};
     if (const auto done = picture_.capture(capture_, view.camera, panes[i], drawn.editor, options, true); !done)
@@ -277,21 +290,16 @@ bool WindowRecorder::ask_one(const Drawn& drawn, const RecordSettings& settings,
   const FrameView view = frame_view(drawn.camera, part, drawn.content_scale, settings);
   const Rgb background = settings.background.value_or(picture_.canvas());
   const std::optional<Rgb> behind = settings.transparent ? std::nullopt : std::optional<Rgb>(background);
-  ScaleMarks marks = drawn.state.marks;
-  std::optional<PaperPlace> legend_at = drawn.state.legend_at;
-  if (purpose.use != Use::frame) {
-    if (drawn.marks.bar) marks.bar_at = drawn.marks.bar;
-    if (drawn.marks.legend) legend_at = drawn.marks.legend;
-  }
-  PictureOverlay overlay =
-      picture_overlay_of({picture_.legend(visible_layers(drawn.layers), drawn.state.legend),
-                          drawn.state.caption,
-                          marks,
-                          drawn.state.annotations ? place(drawn.editor.document()) : PlacedAnnotations{},
-                          {},
-                          legend_at,
-                          unit_of_lengths(drawn.editor.document())},
-                         fonts_, {view.camera, view.content_scale, behind});
+  OverlayContent content{picture_.legend(visible_layers(drawn.layers), drawn.state.legend),
+                         drawn.state.caption,
+                         drawn.state.marks,
+                         drawn.state.annotations ? place(drawn.editor.document()) : PlacedAnnotations{},
+                         {},
+                         drawn.state.legend_at,
+                         unit_of_lengths(drawn.editor.document())};
+  if (purpose.use != Use::frame) keep_places(content, drawn.marks);
+  const PictureOverlay overlay =
+      picture_overlay_of(std::move(content), fonts_, {view.camera, view.content_scale, behind});
   const bool is_on_screen = view.camera.width() == part.width && view.camera.height() == part.height &&
                             view.content_scale == drawn.content_scale && settings.supersampling == 1 &&
                             !settings.transparent && background == picture_.canvas() && picture_.every() == 1 &&
@@ -306,8 +314,8 @@ bool WindowRecorder::ask_one(const Drawn& drawn, const RecordSettings& settings,
     if (const auto done = picture_.capture(capture_, view.camera, {layers}, drawn.editor, options); !done)
       return refuse(purpose, done.error().message());
   }
-  asked_.push_back(
-      {std::move(overlay), std::make_shared<CapturedPicture>(), std::make_shared<const Purpose>(std::move(purpose))});
+  asked_.push_back({[overlay](const render::RawImage&) { return overlay; }, std::make_shared<CapturedPicture>(),
+                    std::make_shared<const Purpose>(std::move(purpose))});
   return true;
 }
 
@@ -353,7 +361,8 @@ void WindowRecorder::hand_on(render::RawImage raw) {
   Asked asked = std::move(asked_.front());
   asked_.pop_front();
   if (raw.rgba.empty()) return tell_lost(asked, raw);
-  asked.picture->add(std::move(raw), std::move(asked.overlay));
+  PictureOverlay overlay = asked.overlay ? asked.overlay(raw) : PictureOverlay{};
+  asked.picture->add(std::move(raw), std::move(overlay));
   if (!asked.picture->is_whole()) return;
   switch (asked.purpose->use) {
     case Use::frame:

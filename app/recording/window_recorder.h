@@ -133,7 +133,8 @@ class WindowRecorder {
   };
   /// Pixels on their way from the graphics card.
   struct Asked {
-    PictureOverlay overlay{};
+    /// The overlay of a picture with these pixels; null: none.
+    std::function<PictureOverlay(const render::RawImage&)> overlay{};
     std::shared_ptr<CapturedPicture> picture{};  ///< the picture that they are part of
     std::shared_ptr<const Purpose> purpose{};
   };

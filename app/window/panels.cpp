@@ -554,8 +554,8 @@ MarksPlace Panels::draw_scale_marks(const Sides& sides) {
     beside.bar = beside.bar && canvas.views().is_own(i);
     const Vec2 shift = canvas.panes().shift(i);
     const ImVec2 on_screen(static_cast<float>(shift.x / ratio), static_cast<float>(shift.y / ratio));
-    CanvasMarks{gui, uses_.board.picture(), {canvas.views().of(i).camera(), on_screen}, unit}.draw(beside, low, high,
-                                                                                                   ratio);
+    CanvasMarks{gui, uses_.board.picture(), {canvas.views().of(i).camera(), on_screen}, unit}.draw(
+        beside, low, high, ratio, drawing_below({low.x + on_screen.x, low.y + on_screen.y}));
   }
   if (marks.bar && mark_drag_.follow(gui,
                                      {"##scale-bar-handle", "Drag to move the scale bar; double click to put it back",
