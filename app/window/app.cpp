@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "app/export/lessons/carried.h"
+#include "app/ui/screen/reach.h"
 #include "app/window/selection_actions.h"
 #include "app/window/work/memory_problem.h"
 #include "core/engine/sampling_verdict.h"
@@ -144,6 +145,7 @@ void App::wait_for_event() {
   if (is_at_rest && window.is_asked_for_rest()) {
     // One more turn shows what another thread has finished since the last results were taken.
     if (turns_at_rest_ < 2) return window.poll();
+    tell_parts_out_of_reach();
     window.answer_rest();
   }
   window.wait(limit);

@@ -101,8 +101,8 @@ void ChangedChips::draw_rest(std::size_t shown) const {
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {8 * unit, 7 * unit});
   // The popup opens above the bar, towards the middle of the window.
   const bool is_right = at.x > 0.5F * ImGui::GetIO().DisplaySize.x;
-  ImGui::SetNextWindowPos({at.x, at.y - 9 * unit}, ImGuiCond_Always, {is_right ? 1.0F : 0.0F, 1.0F});
-  if (ImGui::BeginPopup("##changed")) {
+  ImGui::SetNextWindowPos({at.x, at.y - 9 * unit}, ImGuiCond_Appearing, {is_right ? 1.0F : 0.0F, 1.0F});
+  if (begin_popup(gui_, "##changed")) {
     for (std::size_t i = shown; i < changed_.size(); ++i) {
       ImGui::PushID(static_cast<int>(i));
       if (draw_chip("chip", changed_[i].text, true)) reset(changed_[i].parameter);

@@ -230,7 +230,7 @@ void parameters(const EvolutionStrip& strip, float size) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   if (icon_button("parameters", Icon::parameters, size)) ImGui::OpenPopup("##evolution-parameters");
   tooltip(strip.gui, "Parameters\nSettings of this evolution; a change recomputes the present step");
-  ImGui::SetNextWindowPos({at.x, ImGui::GetWindowPos().y - 6 * strip.gui.unit()}, ImGuiCond_Always, {0.0F, 1.0F});
+  ImGui::SetNextWindowPos({at.x, ImGui::GetWindowPos().y - 6 * strip.gui.unit()}, ImGuiCond_Appearing, {0.0F, 1.0F});
   if (!begin_popup(strip.gui, "##evolution-parameters")) return;
   const std::vector<Parameter> all = parameters_of(*player.choice().evolution);
   for (const Parameter& parameter : all) parameter_field(strip, parameter);

@@ -5,6 +5,7 @@
 #include <array>
 #include <filesystem>
 #include <glm/gtc/type_ptr.hpp>
+#include <span>
 
 #include "app/actions/menus.h"
 #include "app/panels/bars/interface_sizes.h"
@@ -218,65 +219,84 @@ void lessons_menu(const MenuBar& menu) {
   }
 }
 
+void tools_menu(const MenuBar& menu) {
+  action_items(menu, "Tools", 0);
+  if (ImGui::BeginMenu("Brush")) {
+    action_items(menu, "Tools > Brush");
+    ImGui::EndMenu();
+  }
+  action_items(menu, "Tools", 1);
+  ImGui::Separator();
+  action_items(menu, "Tools", 2);
+  ImGui::Separator();
+  action_items(menu, "Tools", 3);
+  snap_menu(menu);
+  action_items(menu, "Tools", 4);
+  ImGui::Separator();
+  if (ImGui::BeginMenu("Number type")) {
+    action_items(menu, "Tools > Number type");
+    ImGui::EndMenu();
+  }
+  action_items(menu, "Tools", 5);
+  ImGui::Separator();
+  action_items(menu, "Tools", 6);
+}
+
+void help_menu(const MenuBar& menu) {
+  action_items(menu, "Help", 0);
+  if (ImGui::BeginMenu("Lessons")) {
+    lessons_menu(menu);
+    ImGui::EndMenu();
+  }
+  action_items(menu, "Help", 1);
+  ImGui::Separator();
+  action_items(menu, "Help", 2);
+  ImGui::Separator();
+  ImGui::MenuItem("Mesecina " MESECINA_VERSION, nullptr, false, false);
+}
+
+struct MenuTitle {
+  const char* text;
+  void (*draw)(const MenuBar&);
+};
+constexpr std::array<MenuTitle, 7> kMenus{{{"File", file_menu},
+                                           {"Edit", edit_menu},
+                                           {"View", view_menu},
+                                           {"Evolution", evolution_menu},
+                                           {"Tools", tools_menu},
+                                           {"Shapes", shapes_menu},
+                                           {"Help", help_menu}}};
+constexpr const char* kOtherMenus = "More";
+
+// The number of titles from the first on for which the bar has room; the others are in a last menu.
+std::size_t shown_menus(float room) {
+  const auto width = [](const char* title) {
+    return ImGui::CalcTextSize(title).x + 2 * ImGui::GetStyle().ItemSpacing.x;
+  };
+  float all = 0.0F;
+  for (const MenuTitle& title : kMenus) all += width(title.text);
+  if (all <= room) return kMenus.size();
+  std::size_t out = 0;
+  float used = width(kOtherMenus) + width(kMenus[0].text);
+  while (used <= room) used += width(kMenus[++out].text);
+  return out;
+}
+
 }  // namespace
 
 float MenuBar::draw() const {
   if (!ImGui::BeginMainMenuBar()) return 0.0F;
   const float height = ImGui::GetWindowHeight();
-  if (ImGui::BeginMenu("File")) {
-    file_menu(*this);
+  const auto draw_menu = [this](const MenuTitle& menu) {
+    if (!ImGui::BeginMenu(menu.text)) return;
+    menu.draw(*this);
     ImGui::EndMenu();
-  }
-  if (ImGui::BeginMenu("Edit")) {
-    edit_menu(*this);
-    ImGui::EndMenu();
-  }
-  if (ImGui::BeginMenu("View")) {
-    view_menu(*this);
-    ImGui::EndMenu();
-  }
-  if (ImGui::BeginMenu("Evolution")) {
-    evolution_menu(*this);
-    ImGui::EndMenu();
-  }
-  if (ImGui::BeginMenu("Tools")) {
-    action_items(*this, "Tools", 0);
-    if (ImGui::BeginMenu("Brush")) {
-      action_items(*this, "Tools > Brush");
-      ImGui::EndMenu();
-    }
-    action_items(*this, "Tools", 1);
-    ImGui::Separator();
-    action_items(*this, "Tools", 2);
-    ImGui::Separator();
-    action_items(*this, "Tools", 3);
-    snap_menu(*this);
-    action_items(*this, "Tools", 4);
-    ImGui::Separator();
-    if (ImGui::BeginMenu("Number type")) {
-      action_items(*this, "Tools > Number type");
-      ImGui::EndMenu();
-    }
-    action_items(*this, "Tools", 5);
-    ImGui::Separator();
-    action_items(*this, "Tools", 6);
-    ImGui::EndMenu();
-  }
-  if (ImGui::BeginMenu("Shapes")) {
-    shapes_menu(*this);
-    ImGui::EndMenu();
-  }
-  if (ImGui::BeginMenu("Help")) {
-    action_items(*this, "Help", 0);
-    if (ImGui::BeginMenu("Lessons")) {
-      lessons_menu(*this);
-      ImGui::EndMenu();
-    }
-    action_items(*this, "Help", 1);
-    ImGui::Separator();
-    action_items(*this, "Help", 2);
-    ImGui::Separator();
-    ImGui::MenuItem("Mesecina " MESECINA_VERSION, nullptr, false, false);
+  };
+  const std::span<const MenuTitle> menus(kMenus);
+  const std::size_t shown = shown_menus(ImGui::GetContentRegionAvail().x);
+  for (const MenuTitle& menu : menus.first(shown)) draw_menu(menu);
+  if (shown < menus.size() && ImGui::BeginMenu(kOtherMenus)) {
+    for (const MenuTitle& menu : menus.subspan(shown)) draw_menu(menu);
     ImGui::EndMenu();
   }
   ImGui::EndMainMenuBar();

@@ -163,7 +163,7 @@ void RecordPopup::draw(float size) const {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   if (icon_button("record-options", Icon::more, size)) ImGui::OpenPopup("##record");
   tooltip(gui, "How frames and snapshots are made");
-  ImGui::SetNextWindowPos({at.x + size + 10 * unit, at.y + size}, ImGuiCond_Always, {0.0F, 1.0F});
+  ImGui::SetNextWindowPos({at.x + size + 10 * unit, at.y + size}, ImGuiCond_Appearing, {0.0F, 1.0F});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {12 * unit, 10 * unit});
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {6 * unit, 6 * unit});
   if (begin_popup(gui, "##record")) {

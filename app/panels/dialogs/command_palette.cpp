@@ -16,6 +16,17 @@ constexpr float kPaletteWidth = 620.0F;  // logical pixels
 constexpr float kRow = 28.0F;
 constexpr float kMostRows = 13.0F;
 constexpr float kKindWidth = 92.0F;
+constexpr float kPalettePadding = 10.0F;
+constexpr float kPaletteEdge = 10.0F;  // between the palette and the lower edge of the window
+constexpr float kFieldPadding = 7.0F;
+constexpr float kFootLines = 3.0F;
+
+float foot_height(const Gui& gui) {
+  ImGui::PushFont(gui.small());
+  const float line = ImGui::GetTextLineHeight();
+  ImGui::PopFont();
+  return kFootLines * line;
+}
 
 // Matching letters are bold and in the accent colour. A name that does not fit before `end` ends in dots.
 void draw_action_name(const Gui& gui, const PaletteEntry& entry, const std::vector<std::size_t>& letters, ImVec2 at,
@@ -75,7 +86,7 @@ void CommandPalette::press(const KeyChord& chord) {
 
 void CommandPalette::draw_field(const Gui& gui) {
   ImGui::SetNextItemWidth(-1);
-  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {10 * gui.unit(), 7 * gui.unit()});
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {10 * gui.unit(), kFieldPadding * gui.unit()});
   if (field_.draw("##query", "Some letters of a command, layer, bundle, parameter, heading...", query_))
     is_accepted_ = true;
   ImGui::PopStyleVar();
@@ -172,24 +183,28 @@ void CommandPalette::draw_foot(const Gui& gui) const {
     text = entry.is_enabled ? entry.explanation : "Not possible now: " + entry.missing + ". " + entry.explanation;
     if (!entry.place.empty()) text = entry.place + ": " + text;
   }
+  ImGui::BeginChild("foot", {0, foot_height(gui)});
   ImGui::PushFont(gui.small());
   ImGui::PushStyleColor(ImGuiCol_Text, gui.colors().text_quiet);
-  constexpr std::size_t kFootLines = 3;
-  const float bottom = ImGui::GetCursorPosY() + kFootLines * ImGui::GetTextLineHeight();
   paragraph(text.substr(0, text.find('\n')));
-  ImGui::SetCursorPosY(std::max(bottom, ImGui::GetCursorPosY()));
   ImGui::PopStyleColor();
   ImGui::PopFont();
+  ImGui::EndChild();
 }
 
 void CommandPalette::draw(const Gui& gui) {
   const float unit = gui.unit();
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   const float width = std::min(kPaletteWidth * unit, screen.x - 24 * unit);
-  const float rows = kRow * unit * std::min(kMostRows, std::floor(0.62F * screen.y / (kRow * unit)));
-  ImGui::SetNextWindowPos({0.5F * (screen.x - width), 0.1F * screen.y});
+  const float top = 0.1F * screen.y;
+  // Field and foot have their room first.
+  const float field = ImGui::GetFontSize() + 2 * (kFieldPadding + kPalettePadding) * unit;
+  const float gaps = 2 * ImGui::GetStyle().ItemSpacing.y;
+  const float room = screen.y - top - kPaletteEdge * unit - field - gaps - foot_height(gui);
+  const float rows = kRow * unit * std::clamp(std::floor(room / (kRow * unit)), 1.0F, kMostRows);
+  ImGui::SetNextWindowPos({0.5F * (screen.x - width), top});
   ImGui::SetNextWindowSize({width, 0});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {10 * unit, 10 * unit});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {kPalettePadding * unit, kPalettePadding * unit});
   std::function<void()> chosen;
   if (Gui::begin_dialog("##palette", is_open_, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove)) {
     draw_field(gui);

@@ -22,6 +22,7 @@ namespace {
 constexpr float kFigureDialogWidth = 1080.0F;  // logical pixels
 constexpr float kFigureDialogHeight = 640.0F;
 constexpr float kSettings = 408.0F;
+constexpr float kPointsField = 46.0F;
 constexpr float kTitleWidth = 76.0F;
 constexpr const char* kFigureDialogId = "##figure";
 
@@ -42,15 +43,21 @@ void row_title(const Gui& gui, const char* text) {
   ImGui::SameLine(kTitleWidth * gui.unit());
 }
 
-/// Continues on the same line if `label` fits there, otherwise below, beside the titles.
-void go_on(const Gui& gui, const std::string& label) {
+/// Continues on the same line if `label` and `more` beside it fit there, otherwise below, beside the titles.
+void go_on(const Gui& gui, const std::string& label, float more = 0.0F) {
   const ImGuiStyle& style = ImGui::GetStyle();
-  const float width = ImGui::CalcTextSize(label.c_str(), nullptr, true).x + 2 * style.FramePadding.x;
+  const float width = ImGui::CalcTextSize(label.c_str(), nullptr, true).x + 2 * style.FramePadding.x + more;
   const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
   if (ImGui::GetItemRectMax().x + style.ItemSpacing.x + width <= right)
     ImGui::SameLine();
   else
     ImGui::SetCursorPosX(kTitleWidth * gui.unit());
+}
+
+/// Continues with a checkbox in the same way.
+void checkbox_further_on(const Gui& gui, const char* label, bool* value) {
+  go_on(gui, label, ImGui::GetFrameHeight());
+  checkbox(label, value);
 }
 
 /// Draws a choice between several words; `chosen` is the index of the current one.
@@ -169,7 +176,7 @@ void FigureDialog::draw_size(const Gui& gui) const {
     if (choice_button(inches ? "in" : "mm", settings.in_inches == inches)) settings.in_inches = inches;
   }
   constexpr const char* kFollows = "As needed";
-  go_on(gui, std::string("[x] ") + kFollows);
+  go_on(gui, kFollows, ImGui::GetFrameHeight());
   if (checkbox(kFollows, &follows))
     settings.height_mm = follows ? 0.0 : std::clamp(height, kLeastFigureSide, kMostFigureSide);
   tooltip(gui, "The height follows from the width");
@@ -182,12 +189,11 @@ void FigureDialog::draw_panes(const Gui& gui) const {
   row_title(gui, "Panes");
   if (choice_button("All", settings.all_panes)) settings.all_panes = true;
   tooltip(gui, "All panes of the window at one scale, each with its letter");
-  ImGui::SameLine();
+  go_on(gui, "Main one");
   if (choice_button("Main one", !settings.all_panes)) settings.all_panes = false;
   tooltip(gui, "The first pane alone");
-  ImGui::SameLine();
   ImGui::BeginDisabled(!settings.all_panes);
-  checkbox("Differences", &settings.with_differences);
+  checkbox_further_on(gui, "Differences", &settings.with_differences);
   ImGui::EndDisabled();
   tooltip(gui, "Mark what only some of the panes have");
 }
@@ -197,7 +203,7 @@ void FigureDialog::draw_sizes(const Gui& gui) const {
   row_title(gui, "Lines");
   if (choice_button("For print", !settings.as_on_screen)) settings.as_on_screen = false;
   tooltip(gui, "Letters of a size in points; lines and dots keep their proportion to them");
-  ImGui::SameLine();
+  go_on(gui, "As on screen");
   if (choice_button("As on screen", settings.as_on_screen)) settings.as_on_screen = true;
   tooltip(gui, "Letters, lines and dots in the same proportion to the page as to the canvas");
   if (settings.as_on_screen) return;
@@ -207,7 +213,7 @@ void FigureDialog::draw_sizes(const Gui& gui) const {
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(before);
     ImGui::SameLine();
-    ImGui::SetNextItemWidth(46 * gui.unit());
+    ImGui::SetNextItemWidth(kPointsField * gui.unit());
     number_field(id, points, "%.4g", range);
     tooltip(gui, after);
     ImGui::SameLine();
@@ -215,8 +221,9 @@ void FigureDialog::draw_sizes(const Gui& gui) const {
   };
   field("##letters", "Text", "Size of the letters of legend, scale bar and axes", settings.letters_pt,
         {kLeastLettersPt, kMostLettersPt});
-  ImGui::SameLine();
-  field("##least", "Lines from", "Finer lines and smaller dots get this width", settings.least_line_pt,
+  constexpr const char* kLeast = "Lines from";
+  go_on(gui, kLeast, kPointsField * gui.unit() + ImGui::CalcTextSize(" pt").x);
+  field("##least", kLeast, "Finer lines and smaller dots get this width", settings.least_line_pt,
         {0.0, kMostLeastLinePt});
 }
 
@@ -242,17 +249,14 @@ void FigureDialog::draw_look(const Gui& gui) const {
   row_title(gui, "Legend");
   checkbox("Of colour maps", &settings.with_legend);
   tooltip(gui, "At its dragged position on the canvas, otherwise in the corner where it hides least");
-  ImGui::SameLine();
-  checkbox("Of all layers", &settings.with_key);
+  checkbox_further_on(gui, "Of all layers", &settings.with_key);
   tooltip(gui, "The names of the layers, with a sample of how each is drawn");
   row_title(gui, "Scale");
   checkbox("Bar", &settings.marks.bar);
   tooltip(gui, "A bar of a round length, labelled in units of the samples, at its dragged position on the canvas");
-  ImGui::SameLine();
-  checkbox("Axes", &settings.marks.axes);
+  checkbox_further_on(gui, "Axes", &settings.marks.axes);
   tooltip(gui, "Numbers along the bottom and left edges");
-  ImGui::SameLine();
-  checkbox("Grid", &settings.marks.grid);
+  checkbox_further_on(gui, "Grid", &settings.marks.grid);
   tooltip(gui, "Faint lines at the round numbers of the axes");
   row_title(gui, "Annotations");
   checkbox("Text, arrows, dimensions, highlights", &settings.with_annotations);
@@ -354,25 +358,21 @@ void FigureDialog::draw_facts(const Gui& gui) {
     rasterized_.push_back(largest->id);
 }
 
-void FigureDialog::draw_buttons(const Gui& gui) {
+void FigureDialog::draw_buttons(const Gui& gui, ButtonRows& buttons) {
   const LatestFigure& latest = uses_->latest;
-  const float spacing = ImGui::GetStyle().ItemSpacing.x;
-  const ImVec2 size(std::min(104 * gui.unit(), (ImGui::GetContentRegionAvail().x - 2 * spacing) / 3), 0);
   const bool is_possible = latest.preview() != nullptr && !latest.problem() && !latest.is_saving();
   ImGui::BeginDisabled(!is_possible);
-  const bool is_clicked = default_button(gui, "Export...", size, true);
+  const bool is_clicked = buttons.next(true);
   if ((is_clicked || is_accepted_) && is_possible) uses_->ask_file();
   ImGui::EndDisabled();
   is_accepted_ = false;
-  ImGui::SameLine();
   const bool is_text = uses_->settings.extension == ".svg" || uses_->settings.extension == ".tex" ||
                        uses_->settings.extension == ".ipe";
   ImGui::BeginDisabled(!is_text || latest.bytes() == nullptr);
-  if (ImGui::Button("Copy", size)) ImGui::SetClipboardText(latest.bytes()->c_str());
+  if (buttons.next()) ImGui::SetClipboardText(latest.bytes()->c_str());
   ImGui::EndDisabled();
   tooltip(gui, "Copy the text of the file (SVG, Ipe or TikZ) to the clipboard");
-  ImGui::SameLine();
-  if (ImGui::Button("Cancel", size)) close();
+  if (buttons.next()) close();
 }
 
 void FigureDialog::draw_preview(const Gui& gui) const {
@@ -402,34 +402,34 @@ void FigureDialog::draw_preview(const Gui& gui) const {
 }
 
 void FigureDialog::draw(const Gui& gui) {
-  large_dialog(gui, kFigureDialogId, is_open_ && !is_covered_, {kFigureDialogWidth, kFigureDialogHeight},
-               [&](ImVec2 size) {
-                 const float unit = gui.unit();
-                 const float settings_width = std::min(kSettings * unit, 0.5F * size.x);
-                 ImGui::BeginChild("settings", {settings_width, 0});
-                 ImGui::PushFont(gui.bold());
-                 ImGui::TextUnformatted("Export a figure");
-                 ImGui::PopFont();
-                 ImGui::Dummy({1, 2 * unit});
-                 ImGui::BeginChild("choices", {0, -ImGui::GetFrameHeightWithSpacing()});
-                 draw_settings(gui);
-                 draw_layers(gui);
-                 draw_facts(gui);
-                 ImGui::EndChild();
-                 draw_buttons(gui);
-                 ImGui::EndChild();
-                 ImGui::SameLine(0, 16 * unit);
-                 ImGui::BeginGroup();
-                 checkbox("Real size", &is_at_real_size_);
-                 tooltip(gui, "Show the page as large as on paper, if the screen has 96 pixels per inch at 100 %");
-                 ImGui::BeginChild("preview", {0, 0}, false, ImGuiWindowFlags_HorizontalScrollbar);
-                 draw_preview(gui);
-                 ImGui::EndChild();
-                 ImGui::EndGroup();
-                 const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
-                 const float longest = std::max((size.x - settings_width) * scale.x, size.y * scale.y);
-                 uses_->latest.want(uses_->settings, rasterized_, static_cast<int>(longest));
-               });
+  static constexpr std::array kButtons{"Export...", "Copy", "Cancel"};
+  large_dialog(
+      gui, kFigureDialogId, is_open_ && !is_covered_, {kFigureDialogWidth, kFigureDialogHeight}, [&](ImVec2) {
+        float longest = 0.0F;
+        const DialogColumn columns[] = {
+            {"settings", kSettings,
+             [&] {
+               ImGui::PushFont(gui.bold());
+               ImGui::TextUnformatted("Export a figure");
+               ImGui::PopFont();
+               ImGui::Dummy({1, 2 * gui.unit()});
+               draw_settings(gui);
+               draw_layers(gui);
+               draw_facts(gui);
+             }},
+            {"preview", 0, [&] {
+               const ImVec2 room = ImGui::GetContentRegionAvail();
+               const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
+               longest = std::max(room.x * scale.x, room.y * scale.y);
+               checkbox("Real size", &is_at_real_size_);
+               tooltip(gui, "Show the page as large as on paper, if the screen has 96 pixels per inch at 100 %");
+               ImGui::BeginChild("page", {0, 0}, false, ImGuiWindowFlags_HorizontalScrollbar);
+               draw_preview(gui);
+               ImGui::EndChild();
+             }}};
+        dialog_columns(gui, columns, {kButtons, [&](ButtonRows& buttons) { draw_buttons(gui, buttons); }});
+        uses_->latest.want(uses_->settings, rasterized_, static_cast<int>(longest));
+      });
 }
 
 }  // namespace mes

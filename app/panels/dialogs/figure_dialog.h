@@ -8,6 +8,7 @@
 
 #include "app/export/latest_figure.h"
 #include "app/ui/dialogs/dialog.h"
+#include "app/ui/widgets/button_rows.h"
 
 namespace mes {
 
@@ -43,7 +44,7 @@ class FigureDialog final : public Dialog {
   void draw_look(const Gui& gui) const;
   void draw_layers(const Gui& gui);
   void draw_facts(const Gui& gui);
-  void draw_buttons(const Gui& gui);
+  void draw_buttons(const Gui& gui, ButtonRows& buttons);
   void draw_preview(const Gui& gui) const;
 
   std::optional<Uses> uses_;

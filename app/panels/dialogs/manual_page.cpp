@@ -18,7 +18,9 @@ constexpr float kHeight = 720.0F;
 constexpr float kListWidth = 230.0F;
 constexpr float kListShare = 0.28F;  // at most, of the width
 constexpr float kListRow = 24.0F;
+constexpr const char* kManualTitle = "Manual";
 constexpr float kFieldWidth = 300.0F;
+constexpr float kLeastField = 120.0F;  // beside the title
 constexpr float kCountWidth = 92.0F;
 constexpr double kTitlePx = 22.0;
 constexpr double kSubtitlePx = 17.0;
@@ -144,15 +146,20 @@ void ManualPage::step(int finds) {
 void ManualPage::draw_head(const Gui& gui, float width) {
   const float unit = gui.unit();
   const float size = ImGui::GetFrameHeight();
-  ImGui::PushFont(gui.bold());
-  ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted("Manual");
-  ImGui::PopFont();
-  const float title = ImGui::GetItemRectSize().x;
   const float right = ImGui::GetCursorPosX() + width;
+  ImGui::PushFont(gui.bold());
+  const float title = ImGui::CalcTextSize(kManualTitle).x + 24 * unit;
   const float buttons = kCountWidth * unit + 3 * size + 24 * unit;
-  const float field = std::clamp(width - title - buttons - 24 * unit, 40 * unit, kFieldWidth * unit);
-  ImGui::SameLine(right - buttons - field);
+  // The field needs its room first.
+  const bool has_title = width - buttons - title >= kLeastField * unit;
+  if (has_title) {
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(kManualTitle);
+    ImGui::SameLine();
+  }
+  ImGui::PopFont();
+  const float field = std::clamp(width - buttons - (has_title ? title : 0.0F), 40 * unit, kFieldWidth * unit);
+  ImGui::SetCursorPosX(right - buttons - field);
   ImGui::SetNextItemWidth(field);
   // The page handles Enter itself, in `press`.
   if (field_.draw("##find", "Find in the manual", query_)) field_.focus();

@@ -2,6 +2,7 @@
 #include "app/panels/dialogs/sample_maker.h"
 
 #include <fmt/core.h>
+#include <array>
 #include <utility>
 
 #include "app/editing/selection.h"
@@ -33,16 +34,23 @@ void SampleMaker::draw_facts(const Gui& gui) const {
   ImGui::PopStyleColor();
 }
 
-bool SampleMaker::draw_buttons(const Gui& gui, const std::string& name, const char* explanation) {
-  const float spacing = ImGui::GetStyle().ItemSpacing.x;
-  const ImVec2 size(0.5F * (ImGui::GetContentRegionAvail().x - spacing), 0);
+DialogFoot SampleMaker::foot(const Gui& gui, const std::string& name, const char* explanation,
+                             std::function<void()> close) {
+  static constexpr std::array kButtons{"Make", "Cancel"};
+  return {kButtons, [this, &gui, name, explanation, close = std::move(close)](ButtonRows& buttons) {
+            if (draw_buttons(gui, buttons, name, explanation)) close();
+          }};
+}
+
+// Returns true when the dialog should close.
+bool SampleMaker::draw_buttons(const Gui& gui, ButtonRows& buttons, const std::string& name,
+                               const char* explanation) {
   ImGui::BeginDisabled(!making_->is_possible() || making_->is_accepted());
   // A click after a refused number has no effect: the previous number is not used and the message stays.
-  if (default_button(gui, "Make", size, true) && refused_number().empty()) making_->accept();
+  if (buttons.next(true) && refused_number().empty()) making_->accept();
   ImGui::EndDisabled();
   tooltip(gui, explanation);
-  ImGui::SameLine();
-  if (ImGui::Button("Cancel", size)) return true;
+  if (buttons.next()) return true;
   if (!making_->is_accepted_and_ready()) return false;
   make_(*making_->made()->data, name);
   return true;

@@ -8,16 +8,16 @@
 
 #include "app/editing/curves/sample_making.h"
 #include "app/system/waker.h"
-#include "app/ui/screen/gui.h"
+#include "app/ui/dialogs/large_dialog.h"
 
 namespace mes {
 
 /// Smallest use, in each frame, after `follow` in each turn:
 ///     if (wish != wished)
 ///       maker.want([wish](JobControl& job) { return SampleMaking::Made{sample_curves(curves, wish, &job)}; });
-///     maker.draw_facts(gui);
-///     if (maker.draw_buttons(gui, "Circle", "The shape ...")) is_open = false;
-///     maker.draw_preview(gui);
+///     const DialogColumn columns[] = {{"settings", 300, [&] { maker.draw_facts(gui); }},
+///                                     {"preview", 0, [&] { maker.draw_preview(gui); }}};
+///     dialog_columns(gui, columns, maker.foot(gui, "Circle", "The shape ...", [&] { is_open = false; }));
 ///
 /// Threads: the window's.
 class SampleMaker {
@@ -36,11 +36,13 @@ class SampleMaker {
   void stop() { making_->stop(); }
 
   void draw_facts(const Gui& gui) const;
-  /// Returns true when the dialog should close: samples were made, or it was cancelled.
-  bool draw_buttons(const Gui& gui, const std::string& name, const char* explanation);
+  /// The buttons of the dialog; `close` is called when samples were made, or it was cancelled.
+  DialogFoot foot(const Gui& gui, const std::string& name, const char* explanation, std::function<void()> close);
   void draw_preview(const Gui& gui) const;
 
  private:
+  bool draw_buttons(const Gui& gui, ButtonRows& buttons, const std::string& name, const char* explanation);
+
   Make make_;
   std::optional<SampleMaking> making_;
 };

@@ -109,29 +109,22 @@ void ShapeDialog::follow_wish() {
 
 void ShapeDialog::draw(const Gui& gui) {
   if (is_open_ && !follow_registry()) cancel();
-  large_dialog(gui, kShapeDialogId, is_open_, {kShapeDialogWidth, kShapeDialogHeight}, [&](ImVec2 size) {
-    const float unit = gui.unit();
-    ImGui::BeginChild("shapes", {std::min(kShapeListWidth * unit, 0.25F * size.x), 0});
-    draw_list(gui);
-    ImGui::EndChild();
-    ImGui::SameLine(0, 12 * unit);
-    ImGui::BeginChild("settings", {std::min(kShapeSettingsWidth * unit, 0.35F * size.x), 0});
-    ImGui::PushFont(gui.bold());
-    ImGui::TextUnformatted(chosen_->shape->name.c_str());
-    ImGui::PopFont();
-    ImGui::BeginChild("choices", {0, -ImGui::GetFrameHeightWithSpacing()});
-    draw_parameters(gui);
-    ImGui::Dummy({1, 2 * unit});
-    sampling_.draw(gui);
-    follow_wish();
-    maker_.draw_facts(gui);
-    ImGui::EndChild();
-    if (maker_.draw_buttons(gui, chosen_->shape->name, "The shape becomes a new document")) cancel();
-    ImGui::EndChild();
-    ImGui::SameLine(0, 16 * unit);
-    ImGui::BeginChild("preview");
-    maker_.draw_preview(gui);
-    ImGui::EndChild();
+  large_dialog(gui, kShapeDialogId, is_open_, {kShapeDialogWidth, kShapeDialogHeight}, [&](ImVec2) {
+    const DialogColumn columns[] = {{"shapes", kShapeListWidth, [&] { draw_list(gui); }},
+                                    {"settings", kShapeSettingsWidth,
+                                     [&] {
+                                       ImGui::PushFont(gui.bold());
+                                       ImGui::TextUnformatted(chosen_->shape->name.c_str());
+                                       ImGui::PopFont();
+                                       draw_parameters(gui);
+                                       ImGui::Dummy({1, 2 * gui.unit()});
+                                       sampling_.draw(gui);
+                                       follow_wish();
+                                       maker_.draw_facts(gui);
+                                     }},
+                                    {"preview", 0, [&] { maker_.draw_preview(gui); }}};
+    dialog_columns(gui, columns,
+                   maker_.foot(gui, chosen_->shape->name, "The shape becomes a new document", [this] { cancel(); }));
   });
 }
 

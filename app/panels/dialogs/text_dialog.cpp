@@ -107,24 +107,16 @@ void TextDialog::follow_wish() {
 }
 
 void TextDialog::draw(const Gui& gui) {
-  large_dialog(gui, kTextDialogId, is_open_, {kTextDialogWidth, kTextDialogHeight}, [&](ImVec2 size) {
-    const float unit = gui.unit();
-    ImGui::BeginChild("fonts", {std::min(kFontListWidth * unit, 0.25F * size.x), 0});
-    draw_fonts(gui);
-    ImGui::EndChild();
-    ImGui::SameLine(0, 12 * unit);
-    ImGui::BeginChild("settings", {std::min(kTextSettingsWidth * unit, 0.35F * size.x), 0});
-    ImGui::BeginChild("choices", {0, -ImGui::GetFrameHeightWithSpacing()});
-    draw_settings(gui);
-    follow_wish();
-    maker_.draw_facts(gui);
-    ImGui::EndChild();
-    if (maker_.draw_buttons(gui, "Text", "The text becomes a new document")) cancel();
-    ImGui::EndChild();
-    ImGui::SameLine(0, 16 * unit);
-    ImGui::BeginChild("preview");
-    maker_.draw_preview(gui);
-    ImGui::EndChild();
+  large_dialog(gui, kTextDialogId, is_open_, {kTextDialogWidth, kTextDialogHeight}, [&](ImVec2) {
+    const DialogColumn columns[] = {{"fonts", kFontListWidth, [&] { draw_fonts(gui); }},
+                                    {"settings", kTextSettingsWidth,
+                                     [&] {
+                                       draw_settings(gui);
+                                       follow_wish();
+                                       maker_.draw_facts(gui);
+                                     }},
+                                    {"preview", 0, [&] { maker_.draw_preview(gui); }}};
+    dialog_columns(gui, columns, maker_.foot(gui, "Text", "The text becomes a new document", [this] { cancel(); }));
   });
 }
 

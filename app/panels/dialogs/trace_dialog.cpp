@@ -138,19 +138,18 @@ void TraceDialog::draw_facts(const Gui& gui) {
   }
 }
 
-void TraceDialog::draw_buttons(const Gui& gui) {
-  const ImVec2 size(ImGui::GetContentRegionAvail().x, 0);
+void TraceDialog::draw_buttons(const Gui& gui, ButtonRows& buttons) {
   const bool is_read = uses_->job.preview() != nullptr && !uses_->job.is_tracing();
   const bool is_possible = is_read && uses_->job.outlines(request()).has_value();
   ImGui::BeginDisabled(!is_possible);
-  const bool is_clicked = default_button(gui, "Trace into samples", size, true);
+  const bool is_clicked = buttons.next(true);
   ImGui::EndDisabled();
   tooltip(gui, "The sampled outlines become a new document");
   if ((is_clicked || is_accepted_) && is_possible) uses_->trace(request());
   is_accepted_ = false;
-  if (ImGui::Button("Lay underneath", size)) uses_->lay_underneath();
+  if (buttons.next()) uses_->lay_underneath();
   tooltip(gui, "Show the picture below the drawing, to place samples along it by hand");
-  if (ImGui::Button("Cancel", size)) cancel();
+  if (buttons.next()) cancel();
 }
 
 void TraceDialog::draw_preview(const Gui& gui) {
@@ -175,25 +174,22 @@ void TraceDialog::draw_preview(const Gui& gui) {
 }
 
 void TraceDialog::draw(const Gui& gui) {
-  large_dialog(gui, kTraceDialogId, is_open_, {kTraceDialogWidth, kTraceDialogHeight}, [&](ImVec2 size) {
-    const float unit = gui.unit();
+  static constexpr std::array kButtons{"Trace into samples", "Lay underneath", "Cancel"};
+  large_dialog(gui, kTraceDialogId, is_open_, {kTraceDialogWidth, kTraceDialogHeight}, [&](ImVec2) {
     begin_choices();
-    ImGui::BeginChild("settings", {std::min(kChoices * unit, 0.5F * size.x), 0});
-    ImGui::PushFont(gui.bold());
-    ImGui::TextUnformatted(elided(uses_->job.file().filename().string(), ImGui::GetContentRegionAvail().x).c_str());
-    ImGui::PopFont();
-    ImGui::Dummy({1, 2 * unit});
-    ImGui::BeginChild("choices", {0, -3 * ImGui::GetFrameHeightWithSpacing()});
-    draw_choices(gui);
-    ImGui::Dummy({1, 2 * unit});
-    draw_facts(gui);
-    ImGui::EndChild();
-    draw_buttons(gui);
-    ImGui::EndChild();
-    ImGui::SameLine(0, 16 * unit);
-    ImGui::BeginChild("preview");
-    draw_preview(gui);
-    ImGui::EndChild();
+    const DialogColumn columns[] = {{"settings", kChoices,
+                                     [&] {
+                                       ImGui::PushFont(gui.bold());
+                                       const std::string name = uses_->job.file().filename().string();
+                                       ImGui::TextUnformatted(elided(name, ImGui::GetContentRegionAvail().x).c_str());
+                                       ImGui::PopFont();
+                                       ImGui::Dummy({1, 2 * gui.unit()});
+                                       draw_choices(gui);
+                                       ImGui::Dummy({1, 2 * gui.unit()});
+                                       draw_facts(gui);
+                                     }},
+                                    {"preview", 0, [&] { draw_preview(gui); }}};
+    dialog_columns(gui, columns, {kButtons, [&](ButtonRows& buttons) { draw_buttons(gui, buttons); }});
   });
 }
 

@@ -7,6 +7,7 @@
 
 #include "app/store/trace_job.h"
 #include "app/ui/dialogs/dialog.h"
+#include "app/ui/widgets/button_rows.h"
 
 namespace mes {
 
@@ -39,7 +40,7 @@ class TraceDialog final : public Dialog {
   TraceRequest request() const;
   void draw_choices(const Gui& gui);
   void draw_facts(const Gui& gui);
-  void draw_buttons(const Gui& gui);
+  void draw_buttons(const Gui& gui, ButtonRows& buttons);
   void draw_preview(const Gui& gui);
 
   std::optional<Uses> uses_;

@@ -28,7 +28,7 @@ void menu_item(const Gui& gui, const ActionBindings& actions, ActionId id) {
 void place_beside_panel(const Gui& gui) {
   const ImVec2 panel = ImGui::GetWindowPos();
   const float gap = 8 * gui.unit();
-  ImGui::SetNextWindowPos({panel.x - gap, panel.y + gap}, ImGuiCond_Always, {1.0F, 0.0F});
+  ImGui::SetNextWindowPos({panel.x - gap, panel.y + gap}, ImGuiCond_Appearing, {1.0F, 0.0F});
 }
 
 bool begin_roomy_popup(const Gui& gui, const char* id) {

@@ -327,9 +327,13 @@ void FileBrowser::draw_entries(const Gui& gui, float height) {
   if (!target.empty()) enter(target);
 }
 
+std::string FileBrowser::overwrite_text() const {
+  return overwrite_.filename().string() + " exists already.";
+}
+
 bool FileBrowser::draw_overwrite_question(const Gui& gui) {
   ImGui::PushStyleColor(ImGuiCol_Text, gui.colors().warning);
-  paragraph(overwrite_.filename().string() + " exists already.");
+  paragraph(overwrite_text());
   ImGui::PopStyleColor();
   const bool is_confirmed = std::exchange(accepted_, false);
   const bool yes = default_button(gui, "Replace it", {}, replaces_) || (is_confirmed && replaces_);
@@ -358,15 +362,21 @@ std::optional<fs::path> FileBrowser::draw_choice(const Gui& gui) {
                          ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove))
     return out;
   ImGui::PushFont(gui.bold());
-  ImGui::TextUnformatted(heading().c_str());
+  paragraph(heading());
   ImGui::PopFont();
   draw_path(gui);
-  const float foot = (trouble_.empty() ? 0.0F : ImGui::GetTextLineHeightWithSpacing()) +
-                     2 * ImGui::GetFrameHeightWithSpacing() + 6 * unit;
+  const auto height_of = [](const std::string& text) {
+    if (text.empty()) return 0.0F;
+    const std::string lines = broken_lines(text, ImGui::GetContentRegionAvail().x);
+    return ImGui::CalcTextSize(lines.c_str()).y + ImGui::GetStyle().ItemSpacing.y;
+  };
+  const float row = ImGui::GetFrameHeightWithSpacing();
+  const float foot =
+      height_of(trouble_) + (overwrite_.empty() ? 2 * row : height_of(overwrite_text()) + row) + 6 * unit;
   draw_entries(gui, ImGui::GetContentRegionAvail().y - foot);
   if (!trouble_.empty()) {
     ImGui::PushStyleColor(ImGuiCol_Text, gui.colors().warning);
-    ImGui::TextUnformatted(trouble_.c_str());
+    paragraph(trouble_);
     ImGui::PopStyleColor();
   }
   if (overwrite_.empty()) {
@@ -374,15 +384,16 @@ std::optional<fs::path> FileBrowser::draw_choice(const Gui& gui) {
     if (field_.draw("##name", is_saving_ ? "Name of the file" : "Name of a file, or a folder to look into", name_))
       accepted_ = true;
     follow_name();
+    const float buttons = 2 * 90 * unit + 8 * unit;
     if (!is_saving_) {
       if (checkbox("All files", &all_files_)) list_wanted();
     } else {
       ImGui::AlignTextToFramePadding();
-      ImGui::TextDisabled("%s", purpose_.heading.empty() ? ".json everything   .poff samples   .wpoff balls" : "");
+      const char* const formats = purpose_.heading.empty() ? ".json everything   .poff samples   .wpoff balls" : "";
+      ImGui::TextDisabled("%s", elided(formats, ImGui::GetContentRegionAvail().x - buttons - 8 * unit).c_str());
     }
     ImGui::SameLine();
     const char* verb = is_saving_ ? "Save" : "Open";
-    const float buttons = 2 * 90 * unit + 8 * unit;
     ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - buttons);
     if (ImGui::Button("Cancel", {90 * unit, 0})) is_open_ = false;
     ImGui::SameLine(0, 8 * unit);

@@ -82,6 +82,7 @@ class FileBrowser final : public Dialog {
   void follow_name();
   void draw_path(const Gui& gui);
   void draw_entries(const Gui& gui, float height);
+  std::string overwrite_text() const;
   bool draw_overwrite_question(const Gui& gui);
   /// True if the name can be saved as it is; otherwise it gets the extension of the proposed name.
   bool has_fitting_extension(const std::filesystem::path& file) const;

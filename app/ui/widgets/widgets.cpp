@@ -100,16 +100,14 @@ void keep_in_window(const Gui& gui) {
 
 bool begin_popup(const Gui& gui, const char* id) {
   limit_size(gui);
-  if (!ImGui::BeginPopup(id)) return false;
+  if (!ImGui::BeginPopup(id, ImGuiWindowFlags_HorizontalScrollbar)) return false;
   keep_in_window(gui);
   return true;
 }
 
 bool begin_context_popup(const Gui& gui, const char* id) {
-  limit_size(gui);
-  if (!ImGui::BeginPopupContextItem(id)) return false;
-  keep_in_window(gui);
-  return true;
+  ImGui::OpenPopupOnItemClick(id);
+  return begin_popup(gui, id);
 }
 
 bool checkbox(const char* label, bool* value) {
@@ -233,7 +231,9 @@ void tooltip(const Gui& gui, const std::string& text, const PanelArea& panels) {
 
 void action_item(const Gui& gui, const ActionBindings& actions, ActionId id, const std::string& label) {
   const ActionDescriptor& action = descriptor_of(id);
-  const std::string name = label.empty() ? action.name : label;
+  // A menu wider than the window would lose its keys.
+  constexpr float kMostOfWindow = 0.56F;
+  const std::string name = elided(label.empty() ? action.name : label, kMostOfWindow * ImGui::GetIO().DisplaySize.x);
   if (ImGui::MenuItem(name.c_str(), actions.keymap().key_of(id).c_str(), actions.is_checked(id),
                       actions.is_enabled(id)))
     actions.run(id);

@@ -21,7 +21,7 @@ struct PanelArea {
 bool begin_panel(const char* name, const PanelArea& area, ImGuiWindowFlags extra = 0);
 
 /// Opens as ImGui::BeginPopup does, but stays within the window: a popup that grows is moved, and one that is larger
-/// gets a scrollbar.
+/// gets scrollbars.
 bool begin_popup(const Gui& gui, const char* id);
 /// The same for the popup of a right click on the last item.
 bool begin_context_popup(const Gui& gui, const char* id);
