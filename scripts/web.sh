@@ -122,7 +122,7 @@ build_web() {
   with_emscripten bash -c '
     root=$1 prefix=$2 jobs=$3
     shift 3
-    cd "$root" && PKG_CONFIG_LIBDIR=$prefix/lib/pkgconfig emcmake cmake -S . -B build/wasm -G Ninja \
+    cd "$root" && mkdir -p build && PKG_CONFIG_LIBDIR=$prefix/lib/pkgconfig emcmake cmake -S . -B build/wasm -G Ninja \
       -DCMAKE_BUILD_TYPE=Release -DCMAKE_FIND_ROOT_PATH="$prefix" -DCMAKE_PREFIX_PATH="$prefix" \
       -DCMAKE_CXX_FLAGS="-pthread -fwasm-exceptions -fexperimental-library -sSUPPORT_LONGJMP=wasm \
 -idirafter $prefix/include -D_LIBCPP_ENABLE_CXX17_REMOVED_UNARY_BINARY_FUNCTION" -DCMAKE_EXE_LINKER_FLAGS="-O1 -L$prefix/lib" \
