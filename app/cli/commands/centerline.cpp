@@ -6,6 +6,7 @@
 #include <functional>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -47,7 +48,8 @@ struct CenterlineResult {
   std::string table{};  ///< of stations
   std::size_t stations = 0;
   CenterLineTotals totals{};
-  std::optional<MapPlane> map{};  ///< of the last lines; all have the same unit
+  std::optional<MapPlane> map{};               ///< of the last lines; all have the same unit
+  std::set<std::string, std::less<>> taken{};  ///< names of properties of any feature
 };
 
 Expected<Vec2> point_between(const std::string& text) {
@@ -148,14 +150,21 @@ void add_station_rows(std::string& table, std::size_t shape, std::size_t line, c
   }
 }
 
-/// Numbers whose names the feature uses itself get a prefix.
-void add_numbers(TextLine& line, const Feature& feature, std::vector<std::pair<std::string, double>> numbers) {
-  for (auto& [name, value] : numbers) {
-    while (std::ranges::find(feature.keys, name) != feature.keys.end()) name.insert(0, "centerline_");
-    line.numbers.emplace_back(std::move(name), value);
-  }
+/// The name, with a prefix if a feature has a property of that name: a column has one meaning in all rows.
+std::string free_name(std::string name, const CenterlineResult& out) {
+  while (out.taken.contains(name)) name.insert(0, "centerline_");
+  return name;
+}
+
+/// Formats without ids of their own get the id as a property.
+void add_numbers(TextLine& line, const Feature& feature, std::vector<std::pair<std::string, double>> numbers,
+                 const CenterlineJob& job, const CenterlineResult& out) {
+  for (auto& [name, value] : numbers) line.numbers.emplace_back(free_name(std::move(name), out), value);
   line.id = feature.id;
   line.properties = feature.properties;
+  if (feature.id.empty() || job.format->name == "geojson") return;
+  if (!line.properties.empty()) line.properties += ',';
+  line.properties += fmt::format("\"{}\":{}", free_name("feature_id", out), feature.id);
 }
 
 Expected<void> add_lines(const CenterlineJob& job, const CenterLines& found, const std::optional<MapPlane>& map,
@@ -174,7 +183,7 @@ Expected<void> add_lines(const CenterlineJob& job, const CenterLines& found, con
   for (const CenterLine& line : found.lines) {
     if (job.every == 0.0) {
       TextLine whole = text_line_of(line, map);
-      add_numbers(whole, feature, std::exchange(whole.numbers, {}));
+      add_numbers(whole, feature, std::exchange(whole.numbers, {}), job, out);
       out.lines.push_back(std::move(whole));
       continue;
     }
@@ -196,7 +205,8 @@ Expected<void> add_lines(const CenterlineJob& job, const CenterLines& found, con
                    {"line", static_cast<double>(line.rank + 1)},
                    {"station", at.along},
                    {"width", at.width},
-                   {"direction", at.direction}});
+                   {"direction", at.direction}},
+                  job, out);
     }
   }
   return {};
@@ -258,6 +268,7 @@ Expected<void> take_lines(const CenterlineJob& job, const Expected<FoundLines>& 
 Expected<void> process_features(const Registry& registry, const CenterlineRequest& request, const CenterlineJob& job,
                                 const FeatureList& list, Progress& progress, CenterlineResult& out) {
   std::vector<Expected<FoundLines>> found(list.features.size());
+  for (const Feature& feature : list.features) out.taken.insert(feature.keys.begin(), feature.keys.end());
   std::mutex progress_mutex;
   std::size_t finished = 0;
   run_tasks(list.features.size(), [&](std::size_t i) {

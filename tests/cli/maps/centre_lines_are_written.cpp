@@ -196,6 +196,9 @@ TEST_CASE("lines of a map in degrees are in degrees, and feature by feature with
   CHECK(first["geometry"]["coordinates"].front()[1].get<double>() == Approx(50.005).margin(1e-4));
   CHECK_FALSE(each["features"][1].contains("id"));
   CHECK(each["features"][1]["properties"]["shape"] == 1);
+  // A name has one meaning in the whole file.
+  CHECK_FALSE(each["features"][1]["properties"].contains("length"));
+  CHECK(each["features"][1]["properties"]["centerline_length"].get<double>() > 1000.0);
   CHECK(each["features"][1]["geometry"]["coordinates"].back()[0].get<double>() == Approx(20.1).margin(1e-6));
 
   const Json chosen = Json::parse(lines_written({file, "--between", "20,60", "20.2,60"}));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // GeoPackages, FlatGeobufs, shapefiles and KML with attributes, written by ogr2ogr; and what the program writes, read
 // by it.
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <filesystem>
@@ -86,6 +87,23 @@ TEST_CASE("the features of each kind of map keep their attributes") {
     for (const Json& place : places) {
       CHECK(std::abs(place[0].get<double>() - 8.01075) < 0.001);
       CHECK(std::abs(place[1].get<double>() - 50.002) < 0.002);
+    }
+    // A file whose features have numbers of their own keeps the ids as a property.
+    for (const std::string again : {"lines.gpkg", "lines.fgb"}) {
+      const std::string out = (folder / again).string();
+      REQUIRE(run({"centerline", file, "--each", "-o", out, "--force"}).exit_code == 0);
+      const RunResult read = run({"-q", "-f", "GeoJSON", "/vsistdout/", out}, {.program = "ogr2ogr"});
+      REQUIRE(read.exit_code == 0);
+      const Json written = Json::parse(read.out)["features"];
+      REQUIRE(written.size() == 2);
+      std::vector<Json> ids;
+      for (const Json& feature : written) ids.push_back(feature["properties"]["feature_id"]);
+      std::vector<Json> wanted;
+      for (const Json& feature : lines["features"]) wanted.push_back(feature["id"]);
+      // A FlatGeobuf may order its features by place.
+      std::ranges::sort(ids);
+      std::ranges::sort(wanted);
+      CHECK(ids == wanted);
     }
     // Without --each the map is one document, in its own system.
     const Json computed = made({"compute", file, "--vertices", "--layers", "curve"});
