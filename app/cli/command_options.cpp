@@ -7,6 +7,7 @@
 
 #include "core/graph/registry.h"
 #include "core/io/format_spec.h"
+#include "core/kernel/precision.h"
 
 namespace mes::cli {
 

@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "core/graph/layer.h"
 #include "core/layers/union/union_layers.h"
 
 namespace mes {
