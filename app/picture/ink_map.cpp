@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kCell = 4;  // pixels
 
-/// What a pixel without ink looks like, in the channels that count.
+/// A pixel without ink, in the channels that count.
 struct InkPaper {
   std::array<int, 4> color{};
   std::size_t channels = 0;

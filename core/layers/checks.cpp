@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is known about the results: densities, proofs, differences.
+// Layers that judge the results: densities, proofs, differences.
 #include "core/layers/parts/helpers.h"
 #include "core/structures/balls/axis_difference.h"
 #include "core/structures/balls/precision_difference.h"

@@ -392,7 +392,7 @@ TEST_CASE("areas of a union are polygons with holes, as large as the union") {
       run({"compute", "-", "--layers", "b-union-boundary"}, {.input = ring}).out)["structures"]["b-union"];
   // Arcs are chords here, with 96 sides per turn.
   CHECK(std::abs(area / numbers["area"].get<double>() - 1.0) < 2e-3);
-  // Of all layers those that have areas are written.
+  // The word "all" stands for the layers that have areas.
   const RunResult every = run({"export", "-", "--layer", "all", "--format", "geojson-areas"}, {.input = ring});
   REQUIRE(every.exit_code == 0);
   CHECK_FALSE(Json::parse(every.out)["features"].empty());

@@ -130,7 +130,7 @@ struct RenderRequest {
   bool force = false;
 };
 
-/// What becomes of a session that is played: frames, a video.
+/// Frames and a video of a session that is played.
 struct FilmRequest {
   std::string frames;  ///< folder; empty: only the video
   std::string video;   ///< .mp4 or .webm; empty: only the frames

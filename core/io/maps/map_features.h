@@ -23,7 +23,7 @@ struct MapFeature {
 Expected<std::vector<MapFeature>> kml_features(std::string_view bytes, const std::string& name);
 
 /// The geometries of WKT, which have neither ids nor properties. Never fails: a feature ends where its parentheses are
-/// closed, or with the line if it is no geometry, and reading its text tells what is wrong with it.
+/// closed. Text that is no geometry is a feature up to the end of its line; the reader of WKT says what is wrong there.
 std::vector<MapFeature> wkt_features(std::string_view bytes);
 
 }  // namespace mes

@@ -27,7 +27,7 @@ struct SmallWindow : DrivenProgram {
     start("house.poff", {{"MESECINA_SHOWS_REACH", "1"}, {"HOME", folder.path().string()}});
     static_cast<void>(screen.settled());
   }
-  /// What the program has told since the last call.
+  /// The reports of the program since the last call.
   std::string news() {
     const std::string all = bytes_of(folder / "errors");
     const std::string out = all.substr(told_);
