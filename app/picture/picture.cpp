@@ -74,10 +74,10 @@ void Picture::keep(const FramePatch& patch) {
 }
 
 const LayerReport* Picture::first_failed() const {
-  const auto failed = std::ranges::find_if(reports_, [](const LayerReport& report) {
+  const auto failed = std::ranges::find_if(report_.reports, [](const LayerReport& report) {
     return report.state == NodeState::failed || report.state == NodeState::blocked;
   });
-  return failed == reports_.end() ? nullptr : &*failed;
+  return failed == report_.reports.end() ? nullptr : &*failed;
 }
 
 bool Picture::apply(const FramePatch& patch) {
@@ -123,10 +123,9 @@ bool Picture::take_from(Engine& engine) {
     const bool was_outdated = is_outdated_;
     is_outdated_ = is_outdated_ && document_revision_ < expected_;
     is_kept_foreign_ = is_kept_foreign_ || (was_outdated && !is_outdated_);
-    reports_.swap(patch->reports);
-    nodes_.swap(patch->nodes);
+    std::swap(report_, static_cast<RunReport&>(*patch));
     if (is_lost_) {
-      for (LayerReport& report : reports_) {
+      for (LayerReport& report : report_.reports) {
         if (report.state != NodeState::up_to_date) continue;
         report.state = NodeState::failed;
         report.reason = kOutOfMemory;
@@ -197,8 +196,8 @@ void Picture::forget_layers_without_need() {
 }
 
 const LayerReport* Picture::report(VariantLayer layer) const {
-  const auto found = std::ranges::find(reports_, layer, &LayerReport::layer);
-  return found == reports_.end() ? nullptr : &*found;
+  const auto found = std::ranges::find(report_.reports, layer, &LayerReport::layer);
+  return found == report_.reports.end() ? nullptr : &*found;
 }
 
 NodeState Picture::state(VariantLayer layer) const {

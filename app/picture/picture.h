@@ -122,12 +122,12 @@ class Picture {
   NodeState state(VariantLayer layer) const;
   const LayerReport* report(VariantLayer layer) const;
   /// Nodes of the main computation come first.
-  const std::vector<NodeReport>& nodes() const { return nodes_; }
+  const std::vector<NodeReport>& nodes() const { return report_.nodes; }
   /// True after memory was exhausted for a patch: the layers are grey until the engine sends all of them again. An
   /// empty demand, followed by the old one, makes it do so.
   bool is_lost() const { return is_lost_; }
   /// True if some layers show their last picture because another one exhausted the memory.
-  bool lacks_memory() const { return mes::lacks_memory(nodes_, reports_); }
+  bool lacks_memory() const { return mes::lacks_memory(report_.nodes, report_.reports); }
   /// The document revision on screen.
   std::uint64_t document_revision() const { return document_revision_; }
   /// Another document has replaced the previous one at this revision.
@@ -218,8 +218,7 @@ class Picture {
   bool has_instances_ = false;              // true when all layers are complete
   std::vector<VariantLayer> loaded_;        // layers of which the scene may have instances
   LeavingLayers leaving_;
-  std::vector<LayerReport> reports_;
-  std::vector<NodeReport> nodes_;
+  RunReport report_;
   bool is_lost_ = false;
   std::uint64_t document_revision_ = 0;
   std::uint64_t expected_ = 0;

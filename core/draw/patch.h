@@ -112,17 +112,22 @@ struct LayerReport {
   std::string reason;
 };
 
+/// What one run tells of structures and layers. A graph writes only the needed ones again if it finds its own marks, so
+/// the marks stay with the lists: they are moved or swapped together.
+struct RunReport {
+  std::uint64_t origin = 0;          ///< identifies the set of structures in `nodes`
+  std::uint64_t demand = 0;          ///< identifies the demand for which the lists were last written
+  std::vector<NodeReport> nodes;     ///< main computation first, then the variants
+  std::vector<LayerReport> reports;  ///< main computation first, then the variants
+};
+
 /// The output of one run of the graph.
-struct FramePatch {
+struct FramePatch : RunReport {
   std::uint64_t document_revision = 0;  ///< revision of the document in this picture
   DrawingFrame frame;                   ///< if it differs from the previous patch, every layer is reset
   std::vector<LayerPatch> layers;       ///< only demanded layers with changes; entries past `layer_count` are spare
   std::size_t layer_count = 0;
-  std::uint64_t origin = 0;          ///< identifies the set of structures in `nodes`
-  std::uint64_t demand = 0;          ///< identifies the demand for which they were last written
-  std::vector<NodeReport> nodes;     ///< main computation first, then the variants
-  std::vector<LayerReport> reports;  ///< main computation first, then the variants
-  bool complete = true;              ///< false: the run was stopped; the patch has no layers, and the picture stays
+  bool complete = true;  ///< false: the run was stopped; the patch has no layers, and the picture stays
 };
 
 }  // namespace mes

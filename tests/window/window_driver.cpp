@@ -242,6 +242,7 @@ VirtualScreen::Window VirtualScreen::window() const {
 Screenshot VirtualScreen::settled() const {
   const Window before = window();
   if (!before.title.empty()) {
+    has_program_ = true;
     // The key comes after all events before it, so the answer does as well.
     xdotool("key Pause");
     REQUIRE(eventually([&] {
@@ -250,6 +251,8 @@ Screenshot VirtualScreen::settled() const {
     }));
     return shoot();
   }
+  INFO("the program's window is gone");
+  REQUIRE_FALSE(has_program_);
   Screenshot last = shoot();
   REQUIRE(eventually([&] {
     Screenshot next = shoot();
@@ -304,6 +307,7 @@ void DrivenProgram::start(const std::string& name, const Environment& extra) {
 
 void DrivenProgram::begin(const std::string& name, const Environment& extra) {
   program = Child();
+  screen.expect_program();
   Environment environment{{"DISPLAY", screen.display()},
                           {"WAYLAND_DISPLAY", ""},
                           {"DBUS_SESSION_BUS_ADDRESS", "unix:path=/nonexistent"},
@@ -317,6 +321,11 @@ void DrivenProgram::begin(const std::string& name, const Environment& extra) {
   words.insert(words.end(), options.begin(), options.end());
   words.push_back((folder / name).string());
   program = Child(words, environment, folder / "errors");
+}
+
+DrivenProgram::~DrivenProgram() {
+  program = Child();
+  std::fputs(bytes_of(folder / "errors").c_str(), stderr);
 }
 
 bool DrivenProgram::shows(const Screenshot& look) const {

@@ -103,9 +103,11 @@ class VirtualScreen {
   VirtualScreen();
   const std::string& display() const { return display_; }
   Screenshot shoot() const;
-  /// The screen once the program has acted on all that was done before, and has nothing left to draw; without a program
-  /// on the screen, once two pictures in a row are equal.
+  /// The screen once the program has acted on all that was done before, and has nothing left to draw; before a program is
+  /// on the screen, once two pictures in a row are equal. A test fails here if its program has ended.
   Screenshot settled() const;
+  /// Another program will come.
+  void expect_program() { has_program_ = false; }
   /// What the title of the program's window says; empty without one.
   std::string title() const { return window().title; }
   /// One call of xdotool; its standard output.
@@ -130,6 +132,7 @@ class VirtualScreen {
   std::string display_;
   Child server_;
   std::shared_ptr<const XConnection> connection_;
+  mutable bool has_program_ = false;  // `settled` has met one
 };
 
 /// What of a window of the screen's size lies between toolbar and panels, without the status bar.
@@ -142,6 +145,11 @@ struct DrivenProgram {
   Child program;
   std::vector<std::string> options;  // of the program, before the file
 
+  DrivenProgram() = default;
+  DrivenProgram(const DrivenProgram&) = delete;
+  DrivenProgram& operator=(const DrivenProgram&) = delete;
+  /// Ends the program and prints its errors.
+  ~DrivenProgram();
   /// Opens this file of the folder, and moves the pointer where nothing lies. What ran before is ended.
   void start(const std::string& name, const Environment& extra = {});
   /// Waits for nothing: a picture that is to be traced does not give the window its name.

@@ -13,6 +13,7 @@
 #include "core/base/rng.h"
 #include "core/builtins/builtins.h"
 #include "core/engine/engine.h"
+#include "core/engine/graph.h"
 #include "tests/support/builtin_layers.h"
 #include "tests/support/shapes/shapes_benchmark.h"
 #include "tests/support/workbench.h"
@@ -318,6 +319,35 @@ TEST_CASE("hidden layers cost nothing") {
   CHECK(client.last().layer_count == 0);
   CHECK(client.last().document_revision == client.document().revision());
   CHECK(client.report("delaunay").state == NodeState::inactive);
+}
+
+TEST_CASE("a patch whose lists were swapped for older ones calls no hidden layer up to date") {
+  Document document;
+  Graph graph(builtins());
+  const auto delta = replace_all(document, SampleData{.positions = benchmark_curve(50)});
+  REQUIRE(delta);
+  graph.post(std::make_shared<const DocumentDelta>(*delta));
+  JobControl job;
+  FramePatch patch;
+  RunReport kept;
+  const auto run = [&](std::string_view layer) {
+    graph.set_demand(std::array{find_layer(layer)});
+    REQUIRE(graph.run(patch, job));
+    const auto is_up_to_date = [](const LayerReport& report) { return report.state == NodeState::up_to_date; };
+    CHECK(std::ranges::count_if(patch.reports, is_up_to_date) == 1);
+    CHECK(patch.reports[find_layer(layer)].state == NodeState::up_to_date);
+  };
+  run("curve");
+  std::swap(kept, static_cast<RunReport&>(patch));
+  run("points");
+  std::swap(kept, static_cast<RunReport&>(patch));
+  for (int i = 0; i < 3; ++i) {
+    graph.set_want_statistics(i == 1);
+    REQUIRE(graph.run(patch, job));
+    CHECK(patch.reports[find_layer("curve")].state == NodeState::inactive);
+    CHECK(patch.reports[find_layer("points")].state == NodeState::up_to_date);
+    std::swap(kept, static_cast<RunReport&>(patch));
+  }
 }
 
 TEST_CASE("statistics come only while they are wanted") {
