@@ -14,9 +14,4 @@ Box2 bounds_of(const Piece& piece);
 /// Empty for no curves. O(pieces).
 Box2 bounds_of(std::span<const PlaneCurve> curves);
 
-/// Touching counts. False if one is empty.
-inline bool overlap(const Box2& a, const Box2& b) {
-  return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y;
-}
-
 }  // namespace mes

@@ -31,4 +31,9 @@ struct Box2 {
   friend bool operator==(const Box2&, const Box2&) = default;
 };
 
+/// Touching counts. False if one is empty.
+inline bool overlap(const Box2& a, const Box2& b) {
+  return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y;
+}
+
 }  // namespace mes

@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
+#include <limits>
+#include <span>
 #include <utility>
 
 #include "core/base/jobs/parallel.h"
@@ -15,150 +18,164 @@ AxisCertificate::AxisCertificate(Delaunay& delaunay, Labels& labels, InnerBalls&
       labels_(labels),
       balls_(balls) {}
 
+FaceSlot AxisCertificate::inner_face(EdgeSlot edge) const {
+  const EdgeRow& row = delaunay_.edge(edge);
+  return labels_.is_inside(row.f[0]) ? row.f[0] : row.f[1];
+}
+
 Corners AxisCertificate::corners_of(FaceSlot face) const {
   const FaceRow& row = delaunay_.face(face);
   return {delaunay_.site_position(row.v[0]), delaunay_.site_position(row.v[1]), delaunay_.site_position(row.v[2])};
 }
 
-std::uint8_t AxisCertificate::verdict_on_arc(EdgeSlot edge, Search& search) const {
-  // An arc with more faces than this stays uncertified; no dense sample comes near this bound.
-  constexpr std::size_t kMostFaces = 4096;
-  const EdgeRow& row = delaunay_.edge(edge);
-  const FaceSlot inner = labels_.is_inside(row.f[0]) ? row.f[0] : row.f[1];
-  const FaceSlot outer = row.f[0] == inner ? row.f[1] : row.f[0];
-  const FaceRow& own = delaunay_.face(inner);
-  const int i = own.index_of_edge(edge);
-  const SiteSlot p = own.v[next3(i)];
-  const SiteSlot q = own.v[prev3(i)];
-  const OuterArc arc{delaunay_.site_position(own.v[i]), delaunay_.site_position(p), delaunay_.site_position(q)};
-  const ArcFilter filter(arc);
-  const FaceSlot own_ball = balls_.ball(inner);
-  const bool is_crust = (edge_[edge] & kDoubtful) == 0;
-
-  auto& [seen, queue, far] = search;
-  seen.begin(delaunay_.face_rows());
-  seen.insert(inner);
-  seen.insert(outer);
-  queue.assign(1, outer);
-  far.clear();
-  for (std::size_t next = 0; next < queue.size(); ++next) {
-    if (queue.size() > kMostFaces) return kTooLong;
-    const FaceSlot face = queue[next];
-    const FaceRow& at = delaunay_.face(face);
-    const auto touches = [&at](SiteSlot site) { return at.v[0] == site || at.v[1] == site || at.v[2] == site; };
-    if (!forgoes_updates() && !touches(p) && !touches(q)) far.push_back(face);
-    for (int side = 0; side < 3; ++side) {
-      const FaceSlot other = at.n[side];
-      if (!seen.insert(other)) continue;
-      if (labels_.is_inside(other)) {
-        // A ball on the arc of a crust edge can also be reached across a border edge that is no crust edge.
-        if (is_crust && !labels_.is_conflict(at.e[side])) {
-          seen.erase(other);
-          continue;
-        }
-        if (balls_.ball(other) == own_ball) continue;
-        const Corners corners = corners_of(other);
-        if (!filter.misses(corners) && meets_arc(arc, corners)) return kBad;
-      } else if (delaunay_.face(other).is_infinite()) {
-        const FaceRow& row_of_other = delaunay_.face(other);
-        const int at_infinity = row_of_other.index_of_site(kInfiniteSite);
-        if (meets_arc_quickly(arc, delaunay_.site_position(row_of_other.v[next3(at_infinity)]),
-                              delaunay_.site_position(row_of_other.v[prev3(at_infinity)])) != Meets::no)
-          queue.push_back(other);
-      } else {
-        const Corners corners = corners_of(other);
-        if (!filter.misses(corners) && meets_arc_quickly(arc, corners) != Meets::no) queue.push_back(other);
-      }
-    }
-  }
-  return 0;
+Corners AxisCertificate::corners_beside(EdgeSlot edge) const {
+  const FaceRow& row = delaunay_.face(inner_face(edge));
+  const int i = row.index_of_edge(edge);
+  return {delaunay_.site_position(row.v[i]), delaunay_.site_position(row.v[next3(i)]),
+          delaunay_.site_position(row.v[prev3(i)])};
 }
 
-void AxisCertificate::search(EdgeSlot edge) {
-  const std::uint8_t verdict = verdict_on_arc(edge, search_);
-  edge_[edge] |= verdict;
-  bad_edges_ += verdict == kBad ? 1 : 0;
-  too_long_edges_ += verdict == kTooLong ? 1 : 0;
-  for (const FaceSlot face : search_.far) watch(edge, face);
+Box2 AxisCertificate::box_of_cap(EdgeSlot edge) const {
+  constexpr double kRounding = 0x1p-46;
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  const auto [s, p, q] = corners_beside(edge);
+  const Vec2 a = p - s;
+  const Vec2 b = q - s;
+  const Vec2 chord = q - p;
+  const double half = 0.5 * length(chord);
+  // With the angle at s, the cap is half * tan(angle / 2) high. If the angle is surely acute, the cap is as wide as the
+  // chord, otherwise at most as wide as the circle.
+  const double sides = length(a) * length(b);
+  const double cosine = dot(a, b);
+  const double sine = std::abs(cross(a, b));
+  const double error = kRounding * sides;
+  if (!(sides + cosine > 2.0 * error) || !(sine > 2.0 * error)) return {{-kFar, -kFar}, {kFar, kFar}};
+  const double high = half * ((sine + error) / (sides + cosine - 2.0 * error));
+  const double wide = cosine > error ? half : half * (sides / (sine - error));
+  const Vec2 middle = 0.5 * p + 0.5 * q;
+  const Vec2 along = (wide / half / 2.0) * chord;
+  const Vec2 beyond = (high / half / 2.0) * Vec2{chord.y, -chord.x};
+  const double margin = kRounding * (wide + high);
+  const auto low = [&](double at, double to_side, double out) {
+    const double value = at - std::abs(to_side) + std::min(0.0, out);
+    return value - margin - kRounding * std::abs(at);
+  };
+  return {{low(middle.x, along.x, beyond.x), low(middle.y, along.y, beyond.y)},
+          {-low(-middle.x, along.x, -beyond.x), -low(-middle.y, along.y, -beyond.y)}};
+}
+
+AxisCertificate::Cap AxisCertificate::cap_of(EdgeSlot edge) const {
+  const auto below = [](double x) {
+    constexpr double kMost = std::numeric_limits<float>::max();
+    constexpr float kFar = std::numeric_limits<float>::infinity();
+    if (!(x > -kMost)) return -kFar;
+    return std::nextafter(static_cast<float>(std::min(x, kMost)), -kFar);
+  };
+  const Box2 box = box_of_cap(edge);
+  return {edge, inner_face(edge), below(box.low.x), below(box.low.y), -below(-box.high.x), -below(-box.high.y)};
+}
+
+AxisCertificate::Verdict AxisCertificate::verdict_on_arc(EdgeSlot edge) const {
+  // An arc near more caps than this stays uncertified; no dense sample comes near this bound.
+  constexpr std::size_t kMostLookedAt = 16'384;
+  const auto [s, p, q] = corners_beside(edge);
+  const OuterArc arc{s, p, q};
+  const ArcFilter filter(arc);
+  const FaceSlot own_ball = balls_.ball(inner_face(edge));
+  const Box2 box = box_of_cap(edge);
+  std::size_t looked_at = 0;
+  Verdict out;
+  const auto may_hold = [&](const Box2& other, double) { return out.flag == 0 && overlap(other, box); };
+  const auto look_at = [&](const Cap& cap) {
+    if (out.flag != 0 || cap.edge == edge || !overlap(cap.box(), box)) return;
+    if (++looked_at > kMostLookedAt) {
+      out.flag = kTooLong;
+      return;
+    }
+    const Corners corners = corners_of(cap.face);
+    if (filter.misses(corners) || balls_.ball(cap.face) == own_ball) return;
+    if (meets_arc(arc, corners)) out = {kBad, cap.edge};
+  };
+  doubtful_caps_.visit_where(may_hold, look_at);
+  if ((edge_[edge] & kDoubtful) != 0) crust_caps_.visit_where(may_hold, look_at);
+  return out;
+}
+
+void AxisCertificate::take(EdgeSlot edge, const Verdict& verdict) {
+  edge_[edge] |= verdict.flag;
+  too_long_edges_ += verdict.flag == kTooLong ? 1 : 0;
+  if (verdict.flag != kBad) return;
+  ++bad_edges_;
+  met_by_[edge] = verdict.met;
+  meets_.emplace(verdict.met, edge);
+}
+
+void AxisCertificate::forget_verdict(EdgeSlot edge) {
+  if ((edge_[edge] & kTooLong) != 0) --too_long_edges_;
+  if ((edge_[edge] & kBad) != 0) {
+    --bad_edges_;
+    const auto found = met_by_.find(edge);
+    meets_.erase({found->second, edge});
+    met_by_.erase(found);
+  }
+  edge_[edge] &= static_cast<std::uint8_t>(~(kBad | kTooLong));
 }
 
 void AxisCertificate::forget_searches() {
   is_searched_ = false;
-  watches_.clear();
-  free_watches_.clear();
-  watches_of_edge_.clear();
-  first_watch_.clear();
+  for (CapTree* caps : {&crust_caps_, &doubtful_caps_}) caps->clear();
+  place_.clear();
+  met_by_.clear();
+  meets_.clear();
   if (too_long_edges_ == 0 && bad_edges_ == 0) return;
   for (std::uint8_t& edge : edge_) edge &= static_cast<std::uint8_t>(~(kBad | kTooLong));
   bad_edges_ = too_long_edges_ = 0;
+}
+
+void AxisCertificate::build_caps(CapTree& caps, std::uint8_t flags) {
+  std::vector<Cap> all;
+  for (const EdgeSlot edge : edge_.rows())
+    if ((edge_[edge] & (kBorder | kDoubtful)) == flags) all.push_back({.edge = edge});
+  parallel_for(all.size(), [&](std::size_t begin, std::size_t end, std::size_t) {
+    for (std::size_t i = begin; i < end; ++i) all[i] = cap_of(all[i].edge);
+  });
+  caps.build(std::span<const Cap>(all), bounds_of, take_place());
 }
 
 void AxisCertificate::search_all(JobControl& job) {
   forget_searches();
   constexpr std::size_t kPiece = 128;
   const std::size_t rows = delaunay_.edge_rows();
-  const std::size_t pieces = (rows + kPiece - 1) / kPiece;
-  std::vector<std::vector<std::pair<EdgeSlot, FaceSlot>>> watched(pieces);
-  std::atomic<std::size_t> next_piece = 0;
-  std::atomic<std::size_t> bad = 0;
-  std::atomic<std::size_t> too_long = 0;
-  run_tasks(std::min(worker_count(), pieces), [&](std::size_t) {
-    Search search;
-    for (std::size_t piece = next_piece++; piece < pieces; piece = next_piece++) {
-      job.checkpoint(piece, pieces);
-      for (const EdgeSlot edge : slots_between<EdgeSlot>(piece * kPiece, std::min(rows, (piece + 1) * kPiece))) {
-        if ((edge_[edge] & kBorder) == 0) continue;
-        const std::uint8_t verdict = verdict_on_arc(edge, search);
-        edge_[edge] |= verdict;
-        bad += verdict == kBad ? 1U : 0U;
-        too_long += verdict == kTooLong ? 1U : 0U;
-        for (const FaceSlot face : search.far) watched[piece].emplace_back(edge, face);
+  place_.assign(rows, 0);
+  build_caps(crust_caps_, kBorder);
+  build_caps(doubtful_caps_, kBorder | kDoubtful);
+  if (doubtful_edges_ != 0) {
+    const std::size_t pieces = (rows + kPiece - 1) / kPiece;
+    std::vector<std::vector<std::pair<EdgeSlot, Verdict>>> found(pieces);
+    std::atomic<std::size_t> next_piece = 0;
+    run_tasks(std::min(worker_count(), pieces), [&](std::size_t) {
+      for (std::size_t piece = next_piece++; piece < pieces; piece = next_piece++) {
+        job.checkpoint(piece, pieces);
+        for (const EdgeSlot edge : slots_between<EdgeSlot>(piece * kPiece, std::min(rows, (piece + 1) * kPiece))) {
+          if ((edge_[edge] & kBorder) == 0) continue;
+          if (const Verdict verdict = verdict_on_arc(edge); verdict.flag != 0)
+            found[piece].emplace_back(edge, verdict);
+        }
       }
-    }
-  });
-  bad_edges_ = bad;
-  too_long_edges_ = too_long;
-  for (const auto& of_piece : watched)
-    for (const auto& [edge, face] : of_piece) watch(edge, face);
+    });
+    for (const auto& piece : found)
+      for (const auto& [edge, verdict] : piece) take(edge, verdict);
+  }
   is_searched_ = true;
 }
 
 void AxisCertificate::forget_edge(EdgeSlot edge) {
-  const std::uint8_t known = edge_[edge];
-  border_edges_ -= (known & kBorder) != 0 ? 1 : 0;
-  doubtful_edges_ -= (known & kDoubtful) != 0 ? 1 : 0;
-  bad_edges_ -= (known & kBad) != 0 ? 1 : 0;
-  too_long_edges_ -= (known & kTooLong) != 0 ? 1 : 0;
+  if ((edge_[edge] & kBorder) == 0) return;
+  forget_verdict(edge);
+  --border_edges_;
+  if ((edge_[edge] & kDoubtful) != 0) --doubtful_edges_;
+  if (is_searched_) caps_of(edge).remove(place_[edge], take_place());
   edge_[edge] = 0;
-  const auto found = watches_of_edge_.find(edge);
-  if (found == watches_of_edge_.end()) return;
-  for (const WatchSlot slot : found->second) {
-    const Watch& left = watches_[slot];
-    if (left.after != kNoSlot) watches_[left.after].before = left.before;
-    if (left.before != kNoSlot)
-      watches_[left.before].after = left.after;
-    else if (left.after != kNoSlot)
-      first_watch_[left.face] = left.after;
-    else
-      first_watch_.erase(left.face);
-    free_watches_.push_back(slot);
-  }
-  watches_of_edge_.erase(found);
-}
-
-void AxisCertificate::watch(EdgeSlot edge, FaceSlot face) {
-  WatchSlot slot = watches_.next();
-  if (free_watches_.empty()) {
-    watches_.emplace_back();
-  } else {
-    slot = free_watches_.back();
-    free_watches_.pop_back();
-  }
-  WatchSlot& first = first_watch_[face];
-  watches_[slot] = {edge, face, kNoSlot, first};
-  if (first != kNoSlot) watches_[first].before = slot;
-  first = slot;
-  watches_of_edge_[edge].push_back(slot);
 }
 
 void AxisCertificate::judge_edge(EdgeSlot edge) {
@@ -169,7 +186,7 @@ void AxisCertificate::judge_edge(EdgeSlot edge) {
     edge_[edge] |= kDoubtful;
     ++doubtful_edges_;
   }
-  if (is_searched_) search(edge);
+  if (is_searched_) caps_of(edge).insert(cap_of(edge), bounds_of, take_place());
 }
 
 void AxisCertificate::judge_site(SiteSlot site) {
@@ -232,7 +249,6 @@ void AxisCertificate::find_borders() {
 }
 
 bool AxisCertificate::update(JobControl& job) {
-  const bool was_doubtful = doubtful_edges_ != 0;
   edge_.resize(delaunay_.edge_rows(), 0);
   bad_site_.resize(delaunay_.site_rows(), 0);
   edge_recorder_.begin(delaunay_.edge_rows());
@@ -243,12 +259,6 @@ bool AxisCertificate::update(JobControl& job) {
   const auto note_edge = [&](EdgeSlot edge) {
     if (judged_edges_.insert(edge)) edges.push_back(edge);
   };
-  const auto note_watchers = [&](FaceSlot face) {
-    if (first_watch_.empty()) return;
-    const auto found = first_watch_.find(face);
-    if (found == first_watch_.end()) return;
-    for (WatchSlot at = found->second; at != kNoSlot; at = watches_[at].after) note_edge(watches_[at].edge);
-  };
   const auto note_site = [&](SiteSlot site) {
     if (site == kInfiniteSite || !judged_sites_.insert(site)) return;
     judge_site(site);
@@ -258,12 +268,8 @@ bool AxisCertificate::update(JobControl& job) {
     });
   };
   const auto note_face = [&](FaceSlot face) {
-    note_watchers(face);
     for (const SiteSlot site : delaunay_.face(face).v) note_site(site);
   };
-  // Removed faces need no note. A search reached such a face through a chain of neighbours that begins beside its edge.
-  // Take the first face in the chain that was removed or changed. The face before it has a changed neighbour now, and
-  // is watched or at an end of the edge. If none is before it, it was beside the edge, where a changed face is now.
   const auto note_around = [&](const ChangeSet<FaceSlot>& faces) {
     for (const FaceSlot face : faces.touched) {
       note_face(face);
@@ -282,15 +288,41 @@ bool AxisCertificate::update(JobControl& job) {
   for (const EdgeSlot edge : labels_.edge_changes().touched)
     if (edge_[edge] != 0 || is_border(edge)) note_edge(edge);
   job.checkpoint();
-  for (const EdgeSlot edge : edges) {
-    forget_edge(edge);
-    judge_edge(edge);
-    edge_recorder_.note(edge, true);
+  // An arc that was near too many caps may be near fewer now, and which arcs are near what is gone is not known.
+  if (too_long_edges_ != 0 && !edges.empty()) return false;
+  const std::size_t changed = edges.size();
+  if (is_searched_) {
+    place_.resize(delaunay_.edge_rows(), 0);
+    for (std::size_t i = 0; i < changed; ++i)
+      for (auto met = meets_.lower_bound({edges[i], EdgeSlot(0)}); met != meets_.end() && met->first == edges[i];
+           ++met)
+        note_edge(met->second);
   }
-  // Rebuild if searches have become necessary, or if the verdict on arcs that are too long changes.
-  const bool is_doubtful = doubtful_edges_ != 0;
-  if (is_doubtful && !is_searched_) return false;
-  if (is_doubtful != was_doubtful && too_long_edges_ != 0) return false;
+  for (std::size_t i = 0; i < changed; ++i) forget_edge(edges[i]);
+  for (std::size_t i = 0; i < changed; ++i) judge_edge(edges[i]);
+  // If searches have become necessary.
+  if (doubtful_edges_ != 0 && !is_searched_) return false;
+  if (is_searched_) {
+    for (std::size_t i = 0; i < changed; ++i) {
+      if ((edge_[edges[i]] & kBorder) == 0) continue;
+      const Box2 box = box_of_cap(edges[i]);
+      const auto note_near = [&](CapTree& caps) {
+        caps.visit_where([&box](const Box2& other, double) { return overlap(other, box); },
+                         [&](const Cap& cap) {
+                           if (overlap(cap.box(), box)) note_edge(cap.edge);
+                         });
+      };
+      note_near(doubtful_caps_);
+      if ((edge_[edges[i]] & kDoubtful) != 0) note_near(crust_caps_);
+    }
+    for (const EdgeSlot edge : edges) {
+      forget_verdict(edge);
+      if ((edge_[edge] & kBorder) != 0) take(edge, verdict_on_arc(edge));
+    }
+    if (crust_caps_.is_worn()) build_caps(crust_caps_, kBorder);
+    if (doubtful_caps_.is_worn()) build_caps(doubtful_caps_, kBorder | kDoubtful);
+  }
+  for (const EdgeSlot edge : edges) edge_recorder_.note(edge, true);
   edge_recorder_.finish(edge_changes_, [this](EdgeSlot edge) { return delaunay_.edge(edge).is_alive(); });
   site_recorder_.finish(site_changes_, [this](SiteSlot site) { return delaunay_.is_site(site); });
   return true;

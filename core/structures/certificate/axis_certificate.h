@@ -2,10 +2,15 @@
 // Proof that the one-step axis is the medial axis of the union of the inner balls, or the places where the proof fails.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+#include <set>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "core/base/change_set.h"
+#include "core/base/geometry/box_tree.h"
 #include "core/graph/structure.h"
 #include "core/kernel/arc_predicates.h"
 #include "core/structures/axis/inner_balls.h"
@@ -23,18 +28,18 @@ namespace mes {
 ///       - the medial axis of the union is the set of Voronoi edges between inside faces.
 ///     docs/union_of_balls.md has the argument.
 ///
-/// Why it is local: the Delaunay disks that contain a point form a connected region of faces. If an inner ball meets
-/// the arc beyond pq at x, the faces whose open disk contains x are connected to it, and include the outside face at
-/// pq. So the search starts at that face, passes through outside faces that meet the arc, and looks at their
-/// neighbours. In a dense sample these are faces at p or q.
+/// Why it is local: the cap of a border edge is the part of its ball's disk beyond the edge. If an inner ball meets an
+/// arc, then one does whose cap lies where that of the arc does: on the way from its triangle to the point on the arc,
+/// the disks go on to hold the point, up to the last border edge before it. So the boxes of caps, which are small in dense
+/// samples, are kept in trees, and an arc is tested against the balls of the caps near it.
 ///
-/// Where every border edge passes the crust test, (b) holds (docs/union_of_balls.md) and nothing is searched. Searches
-/// are made once a border edge fails the test, or before the first edit that may bring such an edge
-/// (`get_ready_to_update`).
+/// Where every border edge passes the crust test, (b) holds (docs/union_of_balls.md) and nothing is searched; arcs of edges
+/// that pass are only tested against caps of edges that fail. The trees are built once a border edge fails the test, or
+/// before the first edit that may bring such an edge (`get_ready_to_update`).
 ///
-/// Cost: rebuild O(n), plus about 1 us per border edge for dense samples where arcs are searched; update O(changed
-/// faces), plus one rebuild if the first border edge that fails the crust test appears before `get_ready_to_update`.
-/// Threads: all arcs are searched on all cores.
+/// Cost: rebuild O(n), and O(n log n + near caps) where arcs are searched; update O(changed faces + caps near them), plus one
+/// rebuild if the first border edge that fails the crust test appears before `get_ready_to_update`, or with each edit if an
+/// arc is near too many caps. Threads: arcs are searched on all cores.
 class AxisCertificate final : public Structure {
  public:
   AxisCertificate(Delaunay& delaunay, Labels& labels, InnerBalls& balls);
@@ -77,25 +82,43 @@ class AxisCertificate final : public Structure {
   static constexpr std::uint8_t kBorder = 1;
   static constexpr std::uint8_t kBad = 2;
   static constexpr std::uint8_t kDoubtful = 4;  ///< fails the crust test
-  static constexpr std::uint8_t kTooLong = 8;   ///< its arc has more faces than the search visits
+  static constexpr std::uint8_t kTooLong = 8;   ///< its arc is near more caps than the search looks at
 
   /// Judge an edge or a site of which nothing is known yet.
   void judge_edge(EdgeSlot edge);
   void judge_site(SiteSlot site);
   void find_borders();
+  /// A border edge with the box of its cap, rounded outwards.
+  struct Cap {
+    EdgeSlot edge{};
+    FaceSlot face{};  ///< inner
+    float low_x = 0, low_y = 0, high_x = 0, high_y = 0;
+    Box2 box() const { return {{low_x, low_y}, {high_x, high_y}}; }
+  };
+  using CapTree = BoxTree<Cap>;
+  Cap cap_of(EdgeSlot edge) const;
+  static TreeBounds bounds_of(const Cap& cap) { return {.box = cap.box()}; }
+  auto take_place() {
+    return [this](const Cap& cap, std::uint32_t place) { place_[cap.edge] = place; };
+  }
   void search_all(JobControl& job);
-  void search(EdgeSlot edge);
+  void build_caps(CapTree& caps, std::uint8_t flags);
+  CapTree& caps_of(EdgeSlot edge) { return (edge_[edge] & kDoubtful) != 0 ? doubtful_caps_ : crust_caps_; }
   void forget_searches();
   void forget_edge(EdgeSlot edge);
-  /// Work space of searches; one per thread.
-  struct Search {
-    SlotMarks<FaceSlot> seen{};
-    std::vector<FaceSlot> queue{};
-    std::vector<FaceSlot> far{};  ///< faces that decided and do not touch an end of the edge; if updates will follow
+  struct Verdict {
+    std::uint8_t flag = 0;  ///< `kBad`, `kTooLong` or 0
+    EdgeSlot met{};         ///< if bad: a border edge whose inner ball meets the arc
   };
-  /// Returns `kBad`, `kTooLong` or 0.
-  std::uint8_t verdict_on_arc(EdgeSlot edge, Search& search) const;
+  Verdict verdict_on_arc(EdgeSlot edge) const;
+  void take(EdgeSlot edge, const Verdict& verdict);
+  void forget_verdict(EdgeSlot edge);
+  FaceSlot inner_face(EdgeSlot edge) const;
   Corners corners_of(FaceSlot face) const;
+  /// Corners of its inner face, that opposite to the edge first.
+  Corners corners_beside(EdgeSlot edge) const;
+  /// Holds the cap, whatever is rounded. O(1).
+  Box2 box_of_cap(EdgeSlot edge) const;
 
   Delaunay& delaunay_;
   Labels& labels_;
@@ -106,28 +129,19 @@ class AxisCertificate final : public Structure {
   std::size_t bad_edges_ = 0;
   std::size_t doubtful_edges_ = 0;
   std::size_t too_long_edges_ = 0;
-  bool is_searched_ = false;  ///< every arc has been searched
+  bool is_searched_ = false;  ///< every arc has been searched, as far as needed
   std::size_t bad_sites_ = 0;
-  // Searches that went beyond the faces at the ends of their edge watch the far faces they saw. A far face may be
-  // watched by thousands of edges, so its watches form a list that each can leave in O(1).
-  using WatchSlot = Slot<struct WatchTag>;
-  struct Watch {
-    EdgeSlot edge{};
-    FaceSlot face{};
-    WatchSlot before{};  ///< previous watch of the same face
-    WatchSlot after{};
-  };
-  void watch(EdgeSlot edge, FaceSlot face);
-  Table<WatchSlot, Watch> watches_;
-  std::vector<WatchSlot> free_watches_;
-  std::unordered_map<EdgeSlot, std::vector<WatchSlot>> watches_of_edge_;
-  std::unordered_map<FaceSlot, WatchSlot> first_watch_;
+  // If arcs have been searched: the caps of border edges that pass the crust test, and of those that fail it.
+  CapTree crust_caps_;
+  CapTree doubtful_caps_;
+  Table<EdgeSlot, std::uint32_t> place_;           // of border edges in their tree
+  std::unordered_map<EdgeSlot, EdgeSlot> met_by_;  // for each bad edge
+  std::set<std::pair<EdgeSlot, EdgeSlot>> meets_;  // the same, from the other end
   ChangeRecorder<EdgeSlot> edge_recorder_;
   ChangeRecorder<SiteSlot> site_recorder_;
   ChangeSet<EdgeSlot> edge_changes_;
   ChangeSet<SiteSlot> site_changes_;
   // Work space.
-  Search search_;
   SlotMarks<SiteSlot> judged_sites_;
   SlotMarks<EdgeSlot> judged_edges_;
 };

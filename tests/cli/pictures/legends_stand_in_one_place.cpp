@@ -95,7 +95,7 @@ int colored_around(const Image& image, const Box2& box) {
   return out;
 }
 
-bool overlap(const Box2& a, const Box2& b) {
+bool share_area(const Box2& a, const Box2& b) {
   return a.low.x < b.high.x && b.low.x < a.high.x && a.low.y < b.high.y && b.low.y < a.high.y;
 }
 
@@ -126,7 +126,7 @@ TEST_CASE("the key is at one place in pixels and in vectors, clear of scale bar,
       const Box2 bar = pictures.changed(one.base, {"--no-legend"}, with({"--no-legend"}, one.bar), extension);
       REQUIRE_FALSE(key.is_empty());
       REQUIRE_FALSE(bar.is_empty());
-      CHECK_FALSE(overlap(key, bar));
+      CHECK_FALSE(share_area(key, bar));
       keys.push_back(key);
     }
     CHECK(keys[0].low.x == Approx(keys[1].low.x).margin(2.0));

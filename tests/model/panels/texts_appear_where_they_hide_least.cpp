@@ -7,7 +7,7 @@ using namespace mes;
 
 namespace {
 
-bool overlap(const Box2& a, const Box2& b) {
+bool share_area(const Box2& a, const Box2& b) {
   return a.low.x < b.high.x && b.low.x < a.high.x && a.low.y < b.high.y && b.low.y < a.high.y;
 }
 
@@ -15,7 +15,7 @@ bool overlap(const Box2& a, const Box2& b) {
 NoteRoom room_with(const std::vector<Box2>& marks) {
   return {{{100, 50}, {900, 650}}, [marks](const Box2& box) {
             std::size_t out = 0;
-            for (const Box2& mark : marks) out += overlap(mark, box) ? 1U : 0U;
+            for (const Box2& mark : marks) out += share_area(mark, box) ? 1U : 0U;
             return out;
           }};
 }

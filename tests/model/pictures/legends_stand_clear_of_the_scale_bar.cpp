@@ -30,7 +30,7 @@ Box2 box_of(const PlacedLegend& legend) {
   return {legend.corner, legend.corner + legend.shrink * Vec2{legend.drawing.width, legend.drawing.height}};
 }
 
-bool overlap(const Box2& a, const Box2& b) {
+bool share_area(const Box2& a, const Box2& b) {
   return a.low.x < b.high.x && b.low.x < a.high.x && a.low.y < b.high.y && b.low.y < a.high.y;
 }
 
@@ -42,7 +42,7 @@ bool is_within(const Box2& box, const Box2& room) {
 bool has_place(Vec2 size, const Box2& room, const Box2& bar, double apart) {
   for (double x = room.low.x; x + size.x <= room.high.x; x += 1.0)
     for (double y = room.low.y; y + size.y <= room.high.y; y += 1.0)
-      if (!overlap({{x - apart, y - apart}, {x + size.x + apart, y + size.y + apart}}, bar)) return true;
+      if (!share_area({{x - apart, y - apart}, {x + size.x + apart, y + size.y + apart}}, bar)) return true;
   return false;
 }
 
@@ -81,8 +81,8 @@ TEST_CASE("no legend overlaps the scale bar, and one is left out only where not 
       CHECK_FALSE(has_place(shrink * Vec2{least.width, least.height}, at.room, *at.longest_bar, 8.0));
       continue;
     }
-    CHECK_FALSE(overlap(box_of(legend), *at.longest_bar));
-    CHECK_FALSE(overlap(box_of(legend), *at.bar));
+    CHECK_FALSE(share_area(box_of(legend), *at.longest_bar));
+    CHECK_FALSE(share_area(box_of(legend), *at.bar));
     CHECK(is_within(box_of(legend), at.room));
     shortened += legend.drawing.lines.back().text.starts_with("and ") ? 1 : 0;
   }
@@ -223,7 +223,7 @@ TEST_CASE("a scale bar without a position stands where it hides least, and the l
     around.room = at.room;
     around.bar = at.longest_bar;
     const PlacedLegend legend = place_legend(key_of(3), test::half_size_a_byte, 1.0, around, kWhiteCanvas);
-    CHECK_FALSE(overlap(box_of(legend), *at.longest_bar));
+    CHECK_FALSE(share_area(box_of(legend), *at.longest_bar));
   }
   // A position that was given stays, and so does the usual one where all are equal.
   const auto covers_all = [](const Box2&) { return std::pair<std::size_t, std::size_t>(1, 1); };

@@ -154,16 +154,26 @@ TEST_CASE("no arc of a border of crust edges is met by another inner ball") {
 TEST_CASE("the arcs that are met are those that one of all balls meets, while samples move") {
   Rng rng(31);
   int met = 0, free = 0;
-  for (int trial = 0; trial < 60; ++trial) {
-    // A closed curve, or one with gaps, or whatever there is; on a grid every third time.
+  for (int trial = 0; trial < 100; ++trial) {
+    // A closed curve, or one with gaps, or whatever there is, or a strip, whose long sides are on the hull; on a grid every
+    // third time, and strips always.
     std::vector<Vec2> points;
+    const bool is_strip = trial >= 60;
+    const bool is_on_grid = trial % 3 == 0 || is_strip;
     const int count = 12 + static_cast<int>(rng.below(40));
     for (int i = 0; i < count; ++i) {
       const double t = 2.0 * std::numbers::pi * (i + rng.uniform(-0.2, 0.2)) / count;
       const double r = 100.0 + 30.0 * std::cos(3.0 * t);
       const Vec2 p = trial % 4 == 3 ? Vec2{rng.uniform(-100.0, 100.0), rng.uniform(-100.0, 100.0)}
                                     : Vec2{r * std::cos(t), r * std::sin(t)};
-      points.push_back(trial % 3 == 0 ? Vec2{std::round(p.x / 8.0), std::round(p.y / 8.0)} : p);
+      points.push_back(is_on_grid ? Vec2{std::round(p.x / 8.0), std::round(p.y / 8.0)} : p);
+    }
+    if (is_strip) {
+      points.resize(rng.below(4));
+      const double height = 1.0 + static_cast<double>(rng.below(9));
+      for (double x = 0.0; x <= 30.0; x += 1.0)
+        for (const double y : {0.0, height})
+          if (rng.below(4) != 0) points.push_back({x, y});
     }
     if (trial % 4 == 1) points.resize(points.size() - 4);
     Document document;
@@ -191,9 +201,9 @@ TEST_CASE("the arcs that are met are those that one of all balls meets, while sa
     follow(replace_all(document, data));
     for (int step = 0; step < 30; ++step) {
       const SampleSlot slot(rng.below(points.size()));
-      const double reach = trial % 3 == 0 ? 3.0 : 12.0;
-      const Vec2 by{rng.uniform(-reach, reach), rng.uniform(-reach, reach)};
-      const Vec2 to = document.position(slot) + (trial % 3 == 0 ? Vec2{std::round(by.x), std::round(by.y)} : by);
+      const double reach = is_on_grid ? 3.0 : 12.0;
+      const Vec2 by{rng.uniform(-reach, reach), is_strip && rng.below(2) == 0 ? 0.0 : rng.uniform(-reach, reach)};
+      const Vec2 to = document.position(slot) + (is_on_grid ? Vec2{std::round(by.x), std::round(by.y)} : by);
       follow(move_samples(document, std::vector{std::pair{document.id(slot), to}}));
     }
   }
