@@ -62,12 +62,18 @@ struct Surroundings {
   std::span<const double> lengths;  // for each curve
   const BoxTree<std::uint32_t>& tree;
 
-  /// Distance from a probe to the nearest point of other parts; `widest` if there is none. The search stops below
+  /// For the probes in the order of the tree, in which near ones mostly stand together. The others of a place hold no probe.
+  static constexpr std::uint32_t kNone = 0xffffffffU;
+  std::span<const std::uint32_t> in_order;
+  std::span<const std::uint32_t> place_in_order;
+
+  /// Distance from probe `own` to the nearest point of other parts; `widest` if there is none. The search stops below
   /// `nearest`. `step` is the distance between the probes of its curve.
-  double distance_to_others(const Probe& probe, double step, double nearest, double widest) const {
+  double distance_to_others(std::uint32_t own, double step, double nearest, double widest) const {
+    const Probe& probe = probes[own];
     double out = widest;
     double bound = widest * widest;
-    tree.visit_near(probe.position, bound, [&](std::uint32_t i) {
+    const auto look_at = [&](std::uint32_t i) {
       const Probe& other = probes[i];
       const double along = other.curve == probe.curve ? along_curve(probe, other) : along_arcs(probe, other);
       if (!(along > kOwn * step)) return;
@@ -79,7 +85,15 @@ struct Surroundings {
       if (!(away < out) || !(along > kDetour * away)) return;
       out = away;
       bound = out <= nearest ? -1.0 : away * away;
-    });
+    };
+    // A box of the tree that reaches to the probe may hold thousands of others that are far and do not count, as where many
+    // curves meet; it could come before the box of those that are near.
+    constexpr std::uint32_t kBeside = 8;
+    const std::uint32_t place = place_in_order[own];
+    const auto end = std::min(in_order.size(), std::size_t{place} + kBeside);
+    for (std::size_t at = place - std::min(place, kBeside); at < end; ++at)
+      if (in_order[at] != kNone) look_at(in_order[at]);
+    tree.visit_near(probe.position, bound, look_at);
     return out;
   }
 
@@ -216,14 +230,18 @@ std::vector<std::vector<StretchSpacing>> spacings_of(std::span<const MeasuredCur
 
   std::vector<std::uint32_t> numbers(probes.size());
   std::iota(numbers.begin(), numbers.end(), 0U);
+  std::vector<std::uint32_t> place_in_order(probes.size());
   BoxTree<std::uint32_t> tree;
   tree.build(
       std::span<const std::uint32_t>(numbers),
       [&](std::uint32_t i) {
         return TreeBounds{{probes[i].position, probes[i].position}};
       },
-      [](std::uint32_t, std::uint32_t) {});
-  const Surroundings surroundings{probes, curves, lengths, tree};
+      [&place_in_order](std::uint32_t i, std::uint32_t place) { place_in_order[i] = place; });
+  std::vector<std::uint32_t> in_order;
+  if (!probes.empty()) in_order.assign(std::size_t{std::ranges::max(place_in_order)} + 1, Surroundings::kNone);
+  for (const std::uint32_t i : numbers) in_order[place_in_order[i]] = i;
+  const Surroundings surroundings{probes, curves, lengths, tree, in_order, place_in_order};
   const std::vector<bool> is_crowded = crowded_nodes(curves);
   std::vector<double> spacing_at(probes.size());
   parallel_for(probes.size(), [&](std::size_t begin, std::size_t end, std::size_t) {
@@ -236,7 +254,7 @@ std::vector<std::vector<StretchSpacing>> spacings_of(std::span<const MeasuredCur
       const double nearest = (limits.is_finest_by_curve ? finest : limits.finest) / limits.share;
       const double away = is_at_crowd(probe, curves[probe.curve], lengths[probe.curve], step, is_crowded)
                               ? nearest
-                              : surroundings.distance_to_others(probe, step, nearest, reach);
+                              : surroundings.distance_to_others(static_cast<std::uint32_t>(k), step, nearest, reach);
       spacing_at[k] = std::clamp(limits.share * away, finest, widest);
     }
   });
