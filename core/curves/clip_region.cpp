@@ -49,6 +49,15 @@ bool overlap_too_often(std::span<const PlaneCurve> curves) {
   return false;
 }
 
+/// The flatness at which so many pieces together have no more sides than `kUsualPieces` have at the usual one: a piece
+/// has as many sides as one over its root.
+double flatness_of(std::size_t pieces) {
+  constexpr double kUsualPieces = 1000.0;
+  constexpr double kCoarsest = 300.0;
+  const double more = std::max(1.0, static_cast<double>(pieces) / kUsualPieces);
+  return FlatCurves::kFlatness * std::min(more * more, kCoarsest);
+}
+
 GridBox grid_box(const GridPaths& paths) {
   GridBox out{paths.front().front(), paths.front().front()};
   for (const GridPath& path : paths)
@@ -134,7 +143,7 @@ GridPaths cropped(const GridPaths& paths, GridBox box, double room) {
 
 /// The sides of the boundary, in a tree of their own, and the curves that they come from.
 struct ClipRegion::Body {
-  explicit Body(double grid) : curves(grid) {}
+  explicit Body(double grid, double flatness = FlatCurves::kFlatness) : curves(grid, flatness) {}
 
   void finish() {
     curves.build();
@@ -359,8 +368,10 @@ std::size_t ClipRegion::cost_near(const Box2& box, std::size_t most) const {
                           [this](const auto& side) { return 1 + body_->curves.looks_at(side.first); });
 }
 
-ClipRegion ClipRegion::of(std::span<const PlaneCurve> curves, FillRule rule, double grid) {
-  auto body = std::make_shared<Body>(grid);
+ClipRegion ClipRegion::of(std::span<const PlaneCurve> curves, FillRule rule, double grid, std::size_t companions) {
+  std::size_t pieces = 0;
+  for (const PlaneCurve& curve : curves) pieces += curve.piece_count();
+  auto body = std::make_shared<Body>(grid, flatness_of(pieces * (1 + companions)));
   GridPaths paths;
   for (const PlaneCurve& curve : curves) paths.push_back(body->curves.add(curve, true));
   body->outline = combined(paths, rule, {}, ClipperLib::ctUnion);

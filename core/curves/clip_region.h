@@ -8,7 +8,8 @@
 //  3. A clipped area is closed: where it is cut, a part of the boundary of the region closes it.
 //
 // How: Clipper computes exactly with polygons that are within 1e-5 of the extent of their curves, on a grid of 2^-36 of
-// the drawing. The sides of its result are mapped back to the pieces that they lie on, and Newton's method recomputes
+// the drawing. A region of more than a thousand pieces gets coarser polygons, down to 3e-3, so that they have hardly more
+// sides. The sides of its result are mapped back to the pieces that they lie on, and Newton's method recomputes
 // the crossings of these. Where it fails, as along curves that touch, a side stays straight. Parts that are thinner
 // than the distance between polygons and curves are dropped.
 //
@@ -49,7 +50,8 @@ class ClipRegion {
   /// The whole plane.
   ClipRegion() = default;
   /// The region that the curves enclose; open curves are closed by a line. Empty if the curves enclose nothing.
-  static ClipRegion of(std::span<const PlaneCurve> curves, FillRule rule, double grid);
+  /// `companions` is the number of like regions that it will be united with.
+  static ClipRegion of(std::span<const PlaneCurve> curves, FillRule rule, double grid, std::size_t companions = 0);
   static ClipRegion united(std::span<const ClipRegion> regions, double grid);
   static ClipRegion common(const ClipRegion& a, const ClipRegion& b);
   /// Whether these curves can be clipped, or clip others: their coordinates fit on the grid, and their pieces do not

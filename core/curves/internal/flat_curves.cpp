@@ -8,8 +8,6 @@
 namespace mes {
 namespace {
 
-constexpr double kFlatness = 1e-5;  // relative to the extent of a curve
-
 Box2 control_box(const PlaneCurve& curve) {
   Box2 box;
   for (const Vec2 p : curve.points()) box.add(p);
@@ -58,7 +56,7 @@ bool FlatCurves::fits(const PlaneCurve& curve, double grid) {
 
 GridPath FlatCurves::add(const PlaneCurve& curve, bool closes) {
   const Box2 box = control_box(curve);
-  const double tolerance = std::max(kFlatness * std::max(box.width(), box.height()), grid_);
+  const double tolerance = std::max(flatness_ * std::max(box.width(), box.height()), grid_);
   if (!curve.is_polyline()) tolerance_ = std::max(tolerance_, tolerance / grid_);
   const auto rounded = [&](Vec2 p) { return ClipperPoint{std::llround(p.x / grid_), std::llround(p.y / grid_)}; };
   GridPath out{rounded(curve.start())};

@@ -42,7 +42,10 @@ struct SideAt {
 /// Usage: call `add` for all curves, then `build`; queries may then run on any thread.
 class FlatCurves {
  public:
-  explicit FlatCurves(double grid) : grid_(grid) {}
+  /// Largest distance between polygons and their curves, relative to the extent of each curve.
+  static constexpr double kFlatness = 1e-5;
+
+  explicit FlatCurves(double grid, double flatness = kFlatness) : grid_(grid), flatness_(flatness) {}
 
   static bool fits(const PlaneCurve& curve, double grid);
   /// Adds a curve and returns its corners, without repetitions. If `closes`, an open curve gets a line to its start;
@@ -71,6 +74,7 @@ class FlatCurves {
 
  private:
   double grid_;
+  double flatness_;
   double tolerance_ = 0.0;
   std::uint32_t curve_count_ = 0;
   std::vector<Piece> pieces_;

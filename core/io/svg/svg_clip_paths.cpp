@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <string>
 #include <utility>
 
@@ -88,7 +89,9 @@ std::optional<ClipRegion> SvgClipPaths::region_of(pugi::xml_node clip_path, cons
   inner.clips_even_odd = inherited(styles_, clip_path, P::clip_rule) == "evenodd";
   around_.push_back(clip_path);
   std::vector<ClipRegion> parts;
-  for (const pugi::xml_node child : clip_path.children())
+  const auto children = clip_path.children();
+  inner.companions = static_cast<std::size_t>(std::distance(children.begin(), children.end())) - 1;
+  for (const pugi::xml_node child : children)
     if (child.type() == pugi::node_element && is_within_bounds()) add_child(child, inner, parts, 0);
   if (grid_ == 0.0) set_extent(1.0);
   ClipRegion region = parts.empty() ? ClipRegion::of({}, FillRule::nonzero, grid_) : ClipRegion::united(parts, grid_);
@@ -138,7 +141,7 @@ void SvgClipPaths::add_child(pugi::xml_node node, SvgContext context, std::vecto
     shape.finish(job_);
     bounds = bounds_of(shape.path.curves);
     const FillRule fill = context.clips_even_odd ? FillRule::even_odd : FillRule::nonzero;
-    if (auto region = region_of_curves(std::move(shape.path.curves), context.map, fill))
+    if (auto region = region_of_curves(std::move(shape.path.curves), context.map, fill, context.companions))
       parts.push_back(*std::move(region));
     else
       elements_.remark("shape in a clip path is left out, which is too large or crosses itself too often",
@@ -151,7 +154,7 @@ void SvgClipPaths::add_child(pugi::xml_node node, SvgContext context, std::vecto
 }
 
 std::optional<ClipRegion> SvgClipPaths::region_of_curves(std::vector<PlaneCurve> curves, const Affine& map,
-                                                         FillRule rule) {
+                                                         FillRule rule, std::size_t companions) {
   for (PlaneCurve& curve : curves) {
     curve.transform(map);
     spent_.pieces += curve.piece_count();
@@ -163,7 +166,7 @@ std::optional<ClipRegion> SvgClipPaths::region_of_curves(std::vector<PlaneCurve>
   }
   if (grid_ == 0.0) set_extent(1.0);
   if (!ClipRegion::fits(curves, grid_)) return std::nullopt;
-  return ClipRegion::of(curves, rule, grid_);
+  return ClipRegion::of(curves, rule, grid_, companions);
 }
 
 ClipRegion SvgClipPaths::viewport(const SvgViewport& size, const Affine& map) {

@@ -56,7 +56,8 @@ class SvgClipPaths {
   std::optional<ClipRegion> region_of(pugi::xml_node clip_path, const SvgContext& context,
                                       const std::function<Box2()>& box);
   void add_child(pugi::xml_node node, SvgContext context, std::vector<ClipRegion>& to, int depth);
-  std::optional<ClipRegion> region_of_curves(std::vector<PlaneCurve> curves, const Affine& map, FillRule rule);
+  std::optional<ClipRegion> region_of_curves(std::vector<PlaneCurve> curves, const Affine& map, FillRule rule,
+                                             std::size_t companions = 0);
   void remark_not_applied(pugi::xml_node node, std::string_view why);
   bool is_within_bounds() const;
 

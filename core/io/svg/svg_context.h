@@ -2,6 +2,7 @@
 // Inherited state of an element of a drawing. Private to core/io.
 #pragma once
 
+#include <cstddef>
 #include <pugixml.hpp>
 #include <string_view>
 #include <unordered_map>
@@ -24,6 +25,7 @@ struct SvgContext {
   bool has_stroke = false;
   bool fills_even_odd = false;
   bool clips_even_odd = false;
+  std::size_t companions = 0;  ///< elements of a clip path beside this one
   double fill_opacity = 1.0;
   double stroke_opacity = 1.0;
   double stroke_width = 1.0;

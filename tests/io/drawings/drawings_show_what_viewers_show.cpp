@@ -273,6 +273,30 @@ TEST_CASE("a clip path cuts areas to what it encloses, and keeps the pieces of b
   CHECK(area_of(quarter) == Approx(25 * kPi).epsilon(1e-5));
 }
 
+TEST_CASE("a clip path of thousands of disks, whose polygons are coarser, still cuts along its arcs") {
+  constexpr int kRow = 50;
+  std::string clip = "<clipPath id='c'>";
+  for (int i = 0; i < kRow * kRow; ++i)
+    clip += "<circle r='.7' cx='" + std::to_string(2 * (i % kRow) + 1) + "' cy='" +
+            std::to_string(2 * (i / kRow) + 1) + "'/>";
+  const std::vector<PlaneCurve> disks =
+      curves_shown(clip + "</clipPath><rect clip-path='url(#c)' width='99' height='100'/>");
+  REQUIRE(disks.size() == kRow * kRow);
+  int cut = 0;
+  for (const PlaneCurve& disk : disks) {
+    CHECK(disk.is_closed());
+    const Vec2 at = disk.start();
+    const Vec2 center{2.0 * std::floor(0.5 * at.x) + 1.0, 2.0 * std::floor(0.5 * at.y) + 1.0};
+    disk.for_each_piece([&](const Piece& piece) {
+      cut += piece.kind == PieceKind::line ? 1 : 0;
+      for (const double t : {0.0, 0.3, 0.7})
+        CHECK((piece.kind == PieceKind::line ? piece.at(t).x : distance(piece.at(t), center)) ==
+              Approx(piece.kind == PieceKind::line ? 99.0 : 0.7).epsilon(1e-9));
+    });
+  }
+  CHECK(cut == kRow);  // the last column is cut in half
+}
+
 TEST_CASE("what no clip path cuts is what it was, to the last bit") {
   const std::string inside =
       "<path id='a' d='M47 47C48 40 55 52 52 55S46 54 47 47zM49 50a1 1 0 002 0 1 1 0 00-2 0z'/>"
