@@ -22,7 +22,7 @@ class KmlReader {
  public:
   KmlReader(std::string_view bytes, const std::string& name, const ReadRequest& request, ReadJob& job)
       : source_(bytes, name), name_(name), job_(job), shapes_(request) {
-    shapes_.assume_degrees();
+    shapes_.require_degrees();
   }
 
   Expected<LoadedFile> read() {

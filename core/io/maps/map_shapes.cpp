@@ -218,7 +218,7 @@ Expected<void> MapShapes::name_srid(std::uint64_t number) {
   return name_system(is_of_esri && find_coordinate_system(of_esri) ? of_esri : of_epsg);
 }
 
-Expected<std::optional<CoordinateSystem>> MapShapes::system_of_positions() const {
+Expected<std::optional<CoordinateSystem>> MapShapes::system_of_positions(std::string& remark) const {
   std::optional<CoordinateSystem> system = named_ ? named_ : assumed_;
   const bool is_assumed = !named_ && wanted_.empty();
   if (!wanted_.empty()) {
@@ -233,7 +233,11 @@ Expected<std::optional<CoordinateSystem>> MapShapes::system_of_positions() const
   const auto outside = std::ranges::find_if(
       positions_, [&](Vec2 p) { return std::abs(p.x) > longest || std::abs(p.y) > 0.5 * half_turn; });
   if (outside == positions_.end()) return system;
-  if (is_assumed) return std::nullopt;
+  if (is_assumed) {
+    remark = fmt::format("{:.12g}, {:.12g} is not a longitude and latitude, so the coordinates are those of a plane",
+                         outside->x, outside->y);
+    return std::nullopt;
+  }
   return std::unexpected(
       Error{ErrorCode::bad_input, fmt::format("{:.12g}, {:.12g} is not a longitude and latitude, as {} needs",
                                               outside->x, outside->y, system->title())});
@@ -330,11 +334,15 @@ Expected<LoadedFile> MapShapes::load(const std::string& name, ReadJob& job) && {
     error.line = error.column = 1;
     return std::unexpected(std::move(error));
   };
-  const auto system = system_of_positions();
+  std::string remark;
+  const auto system = system_of_positions(remark);
   if (!system) return refused(system.error());
   if (!*system || positions_.empty()) {
     MapPlacement in_plane;
-    return load_samples(curves(in_plane, job), name, job);
+    auto file = load_samples(curves(in_plane, job), name, job);
+    if (file && !remark.empty())
+      file->warnings.insert(file->warnings.begin(), Error{ErrorCode::bad_input, remark, name}.message());
+    return file;
   }
   const Turns turns = (*system)->is_geographic ? this->turns((*system)->half_turn()) : Turns{};
   auto chosen = choose_plane(positions_, **system, degrees_, turns.sides);

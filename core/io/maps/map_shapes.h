@@ -33,11 +33,13 @@ class MapPlacement;
 ///     return std::move(shapes).load(name, job);
 class MapShapes {
  public:
-  /// Positions are coordinates of a plane without a coordinate system, until one of the three is called or the request
-  /// names a system.
+  /// Positions are coordinates of a plane without a coordinate system, until a call below or the request names a
+  /// system.
   explicit MapShapes(const ReadRequest& request) : degrees_(request.degrees), wanted_(request.system) {}
   /// Positions are longitudes and latitudes on WGS 84, unless some are out of range or the file names a system.
   void assume_degrees() { assumed_ = CoordinateSystem{}; }
+  /// The format has longitudes and latitudes alone, so that others are an error.
+  void require_degrees() { named_ = CoordinateSystem{}; }
   void assume_plane() { assumed_.reset(); }
   /// Takes the system that the file names, as `find_coordinate_system` understands it. A request for another system
   /// takes precedence: then the name is not looked up. Error: `bad_input` without a place, if PROJ does not know it, or
@@ -85,7 +87,7 @@ class MapShapes {
   };
   void end(Kind kind);
   std::size_t begin() const { return parts_.empty() ? 0 : parts_.back().end; }
-  Expected<std::optional<CoordinateSystem>> system_of_positions() const;
+  Expected<std::optional<CoordinateSystem>> system_of_positions(std::string& remark) const;
   CurveSet curves(MapPlacement& placement, ReadJob& job);
   struct Turns {
     /// Number, among lines and rings, of the first ring that goes around the Earth without a corner at a pole; 0: none.

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // GeoJSON and WKT.
+#include <fmt/core.h>
+
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -155,15 +157,38 @@ TEST_CASE("degrees are kept bit for bit where that is asked for") {
   }
 }
 
-TEST_CASE("what is kept or projected is longitude and latitude alone") {
+TEST_CASE("what is kept or projected is longitude and latitude alone, and others in GeoJSON are told") {
   const ReadRequest kept{.degrees = MapDegrees::kept};
-  for (const char* text : {R"({"type": "Point", "coordinates": [181, 2]})", "POINT (181 2)", "181 2\n"}) {
+  const std::string geojson = R"({"type": "Point", "coordinates": [181, 2]})";
+  for (const std::string& text : {geojson, std::string("POINT (181 2)"), std::string("181 2\n")}) {
     for (const ReadRequest& request : {kept, ReadRequest{}}) {
       const LoadedFile file = read_map(text, "map", request);
       CHECK(file.data.positions == std::vector<Vec2>{{181, 2}});
       CHECK(file.degrees == std::nullopt);
-      CHECK(file.warnings.empty());
+      std::vector<std::string> told;
+      if (text == geojson)
+        told = {"map: 181, 2 is not a longitude and latitude, so the coordinates are those of a plane"};
+      CHECK(file.warnings == told);
     }
+  }
+}
+
+TEST_CASE("KML and GPX have degrees alone, to 360 in the east") {
+  const auto gpx = [](const char* position) {
+    return fmt::format("<gpx version=\"1.1\"><wpt {}/></gpx>\n", position);
+  };
+  const auto kml = [](const char* position) {
+    return fmt::format("<kml><Placemark><Point><coordinates>{}</coordinates></Point></Placemark></kml>\n", position);
+  };
+  for (const std::string& text : {gpx(R"(lat="147" lon="-42")"), kml("-42,147")}) {
+    const auto refused = read_sample_bytes(text, "map");
+    REQUIRE_FALSE(refused);
+    CHECK(refused.error().message().contains("-42, 147 is not a longitude and latitude"));
+  }
+  for (const std::string& text : {gpx(R"(lat="-17" lon="182")"), kml("182,-17")}) {
+    const LoadedFile file = read_map(text);
+    CHECK(file.degrees == MapDegrees::projected);
+    CHECK(file.data.positions.size() == 1);
   }
 }
 
