@@ -55,6 +55,30 @@ TEST_CASE("the same two points in many ways") {
   }
 }
 
+TEST_CASE("columns of times are no coordinates, and columns chosen among others are told") {
+  struct ChosenColumns {
+    const char* bytes;
+    const char* says;
+  };
+  for (const ChosenColumns& test : std::vector<ChosenColumns>{
+           {"time,x,y\n0,1,2\n1,3,4\n", ""},
+           {"t,a,b\n0,1,2\n1,3,4\n", R"(x and y are the columns "a" and "b")"},
+           {"date;a;b\n2024-01-01;1;2\n2024-01-02;3;4\n", R"(x and y are the columns "a" and "b")"},
+           {"a\tb\tTime\n1\t2\t0\n3\t4\t1\n", R"(x and y are the columns "a" and "b")"},
+           {"t,a\n1,2\n3,4\n", ""},
+           {"a,t\n1,2\n3,4\n", ""},
+           {"value1,value2,value3\n1,2,0\n3,4,1\n", R"(x and y are the columns "value1" and "value2")"},
+           {"1,2,0\n3,4,1\n", "x and y are the first two of 3 columns"},
+           {"1,2,a\n3,4,b\n", ""}}) {
+    INFO(test.bytes);
+    const auto read = read_sample_bytes(test.bytes, "a.csv");
+    REQUIRE(read.has_value());
+    CHECK(read->data.positions == std::vector<Vec2>{{1, 2}, {3, 4}});
+    const std::string says = test.says;
+    CHECK(read->warnings == (says.empty() ? std::vector<std::string>{} : std::vector{"a.csv: " + says}));
+  }
+}
+
 TEST_CASE("a count line that does not fit the rows is reported") {
   const auto read = read_sample_bytes("3\n1 2\n3 4\n", "a.txt");
   REQUIRE(read.has_value());

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <numeric>
+#include <ranges>
 #include <unordered_map>
 #include <vector>
 
@@ -100,6 +101,7 @@ struct Columns {
   std::size_t y = 1;
   std::vector<std::size_t> groups;
   bool groups_are_closed = false;  ///< contours that do not repeat their first point are closed nevertheless
+  bool is_guess = false;           ///< the names do not say which columns are x and y, and there are others
 
   std::size_t count() const {
     std::size_t last = std::max(x, y);
@@ -114,17 +116,20 @@ std::string word_of(std::string_view field) {
 }
 
 Columns columns_of(const Fields& header) {
-  constexpr std::array<std::string_view, 6> kX{"x", "x1", "lon", "longitude", "easting", "x_coord"};
-  constexpr std::array<std::string_view, 6> kY{"y", "y1", "lat", "latitude", "northing", "y_coord"};
+  constexpr std::array<std::string_view, 7> kX{"x", "x1", "lon", "longitude", "easting", "east", "x_coord"};
+  constexpr std::array<std::string_view, 7> kY{"y", "y1", "lat", "latitude", "northing", "north", "y_coord"};
   constexpr std::array<std::string_view, 10> kClosed{"contour", "contour_id", "ring", "ring_id", "polygon",
                                                      "poly",    "polygon_id", "loop", "loop_id", "outline"};
   constexpr std::array<std::string_view, 14> kAny{"id",    "part",     "part_id", "path",     "path_id",
                                                   "line",  "line_id",  "curve",   "stroke",   "group",
                                                   "shape", "shape_id", "piece",   "component"};
+  constexpr std::array<std::string_view, 8> kTime{"t",        "time", "timestamp", "date",
+                                                  "datetime", "year", "seconds",   "frame"};
   Columns columns;
   bool has_x = false;
   bool has_y = false;
   std::vector<std::size_t> others;
+  std::vector<std::size_t> times;
   for (std::size_t i = 0; i < header.size(); ++i) {
     const std::string word = word_of(header[i]);
     if (!has_x && is_one_of(word, kX)) {
@@ -138,14 +143,23 @@ Columns columns_of(const Fields& header) {
       columns.groups_are_closed = true;
     } else if (is_one_of(word, kAny)) {
       columns.groups.push_back(i);
+    } else if (is_one_of(word, kTime)) {
+      times.push_back(i);
     } else {
       others.push_back(i);
     }
   }
-  if (!(has_x && has_y) && others.size() >= 2) {
+  if (has_x && has_y) return columns;
+  if (others.size() < 2) {
+    others.insert(others.end(), times.begin(), times.end());
+    std::ranges::sort(others);
+    times.clear();
+  }
+  if (others.size() >= 2) {
     columns.x = others[0];
     columns.y = others[1];
   }
+  columns.is_guess = others.size() + times.size() > 2;
   return columns;
 }
 
@@ -198,7 +212,13 @@ Plan make_plan(std::string_view bytes) {
     plan.is_sure = true;
     split(kind, first, kMostColumns, fields);
     plan.kind.columns = fields.size();
-    if (holds_a_point(fields, plan.columns, kind.decimal_comma)) return plan;
+    if (holds_a_point(fields, plan.columns, kind.decimal_comma)) {
+      plan.columns.is_guess = kind.separator != TableSeparator::blanks &&
+                              std::ranges::any_of(fields | std::views::drop(2), [&kind](std::string_view field) {
+                                return is_number(field, kind.decimal_comma);
+                              });
+      return plan;
+    }
     if (holds_a_number(fields, kind.decimal_comma)) continue;
     plan.columns = columns_of(fields);
     plan.has_header = true;
@@ -353,6 +373,15 @@ Expected<LoadedFile> read_xy_table(std::string_view bytes, const std::string& na
   if ((plan.has_header || plan.has_count_line) && lines.next() && plan.has_count_line) {
     announced = parse_count(trimmed(lines.text())).value_or(0);
     announced_line = lines.number();
+  }
+  if (columns.is_guess) {
+    std::string text = fmt::format("x and y are the first two of {} columns", plan.kind.columns);
+    if (plan.has_header) {
+      split(plan.kind, lines.text(), needed, fields);
+      text = fmt::format("x and y are the columns {} and {}", in_quotes(fields[columns.x]),
+                         in_quotes(fields[columns.y]));
+    }
+    file.warnings.push_back(Error{ErrorCode::bad_input, std::move(text), name}.message());
   }
   while (lines.next()) {
     job.passed(lines.text().data());
