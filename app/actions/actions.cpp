@@ -166,6 +166,9 @@ constexpr auto kToolsRows = std::to_array<Row>({
     {ActionId::keep_highlight, "keep-highlight", "Keep highlighted",
      "Keep the highlights of the clicked element's card in the document; they follow the samples and balls",
      "Shift+K"},
+    {ActionId::center_line_between, "center-line-between", "Centre line between two ends",
+     "Show only the centre line between the ends of the axis nearest to two measured points or selected samples; the "
+     "ends are an annotation, which follows samples and can be moved, deleted and undone"},
     {ActionId::toggle_snap, "toggle-snap", "Snap",
      "Snap inserted or moved points exactly to nearby samples, centres, Voronoi vertices, circles or grid lines; "
      "hold Ctrl to turn it off",

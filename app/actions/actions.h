@@ -75,6 +75,7 @@ enum class ActionId : std::uint8_t {
   tool_annotate,
   keep_measurement,
   keep_highlight,
+  center_line_between,
   toggle_snap,
   toggle_handles,
   toggle_insertion_preview,

@@ -64,7 +64,7 @@ std::vector<MenuPart> made_parts() {
       {"Tools", {ActionId::tool_select, ActionId::tool_insert, ActionId::tool_spray, ActionId::tool_ball}},
       {"Tools > Brush", {ActionId::tool_brush, ActionId::brush_erase, ActionId::brush_thin, ActionId::brush_refine}},
       {"Tools", {ActionId::tool_measure, ActionId::tool_annotate}},
-      {"Tools", {ActionId::keep_measurement, ActionId::keep_highlight}},
+      {"Tools", {ActionId::keep_measurement, ActionId::keep_highlight, ActionId::center_line_between}},
       {"Tools", {ActionId::toggle_snap}},
       {"Tools", {ActionId::toggle_handles, ActionId::toggle_insertion_preview}},
       {"Tools > Number type",

@@ -43,11 +43,11 @@ void add_shares(const Workbench& bench, BranchTable& out) {
   }
 }
 
-void add_stations(const AxisFilter& filter, const OneStepCrust& crust, const ComputationSettings& settings,
-                  JobControl& job, BranchTable& out) {
+void add_stations(const AxisFilter& filter, const OneStepCrust& crust, const CenterLineWish& wish, JobControl& job,
+                  BranchTable& out) {
   constexpr double kOfLongest = 400.0;
   constexpr double kMost = 100'000.0;  // of all lines
-  CenterLines set = center_lines_of(filter, crust, out.branches, wish_of(settings).request, job);
+  CenterLines set = center_lines_of(filter, crust, out.branches, wish.request, job);
   smooth(set, kUsualSmoothing);
   double longest = 0.0;
   double all = 0.0;
@@ -162,7 +162,7 @@ Expected<BranchTable> branch_table_of(const Registry& registry, const SampleData
     if (stat.key == "share_of_shape") out.share_of_shape = std::get<double>(stat.value);
   }
   add_shares(bench, out);
-  add_stations(filter, bench.get<OneStepCrust>(), settings, job, out);
+  add_stations(filter, bench.get<OneStepCrust>(), wish_of(settings, data.annotations), job, out);
   return out;
 }
 

@@ -61,11 +61,12 @@ bool is_thin(const PlaneCurve& curve) {
 
 }  // namespace
 
-CenterLineWish wish_of(const ComputationSettings& settings) {
+CenterLineWish wish_of(const ComputationSettings& settings, const Annotations& annotations) {
   CenterLineWish out;
   out.lambda_limit = settings[Parameter::lambda_limit];
   out.request.least_salience = settings[Parameter::center_line_pruning];
   out.request.most = static_cast<std::size_t>(settings[Parameter::center_line_branches]);
+  out.request.between = center_line_ends(annotations);
   return out;
 }
 
@@ -125,7 +126,7 @@ Expected<CenterLines> compute_center_lines(const Registry& registry, const Sampl
   const auto branches = [&] { return branches_of(lambda, bench.get<InnerBalls>(), lambda, angle); };
   CenterLines out = wish.is_exact ? center_lines_of(outline, wish.request, job)
                                   : center_lines_of(lambda, crust, branches(), wish.request, job);
-  if (!out.are_ends_joined)
+  if (out.unjoined != 0 && out.lines.empty())
     return no_line(ErrorCode::usage,
                    "the two points are nearest to the same end of the axis, or to ends of two shapes");
   if (out.lines.empty()) {

@@ -23,8 +23,8 @@ struct CenterLineWish {
   CenterLineRequest request{};
 };
 
-/// The lines of the layer `center-lines` at these settings.
-CenterLineWish wish_of(const ComputationSettings& settings);
+/// The lines of the layer `center-lines` at these settings, in data with these annotations.
+CenterLineWish wish_of(const ComputationSettings& settings, const Annotations& annotations);
 
 /// Most samples of an outline, on average. They are enough for one that is 30,000 times as long as it is wide, and take
 /// some 15 s on one core. A digit too many in a coordinate easily asks for more.
@@ -36,7 +36,7 @@ inline constexpr std::size_t kMostOutlineSamples = 250'000;
 /// of these cases. Error: `bad_input`, if no outline remains. Throws `Cancelled`.
 Expected<SampleData> samples_for_center_lines(const SampleData& data, JobControl& job, std::string& remark);
 
-/// Error: `usage` if the wish names two ends that no line joins; `cannot_compute` if a structure failed, or there is no
+/// Error: `usage` if the wish names ends and no line joins any; `cannot_compute` if a structure failed, or there is no
 /// line, with the reason. Throws `Cancelled`. `on_task` is called with the id of each structure before it begins.
 Expected<CenterLines> compute_center_lines(const Registry& registry, const SampleData& data,
                                            const CenterLineWish& wish, JobControl& job,

@@ -14,8 +14,8 @@
 namespace mes {
 namespace {
 
-constexpr std::array<std::string_view, kAnnotationKinds> kIds{"text",  "leader", "arrow",    "distance",
-                                                              "angle", "radius", "highlight"};
+constexpr std::array<std::string_view, kAnnotationKinds> kIds{"text",  "leader", "arrow",     "distance",
+                                                              "angle", "radius", "highlight", "center-line"};
 
 // Not negated, so that NaN is a fault.
 bool is_within(double x, double low, double high) {
@@ -124,6 +124,14 @@ std::string fault_of(const Annotations& annotations, const NumberedThings& thing
 std::size_t highlighted_elements(const Annotations& annotations) {
   std::size_t out = 0;
   for (const Annotation& annotation : annotations) out += annotation.elements.size();
+  return out;
+}
+
+std::vector<std::pair<Vec2, Vec2>> center_line_ends(const Annotations& annotations) {
+  std::vector<std::pair<Vec2, Vec2>> out;
+  for (const Annotation& annotation : annotations)
+    if (annotation.kind == AnnotationKind::center_line)
+      out.emplace_back(annotation.anchors[0].at, annotation.anchors[1].at);
   return out;
 }
 

@@ -2,7 +2,7 @@
 // Annotations: text, arrows, leader lines, dimension lines and highlighted elements that explain a drawing.
 //
 // Annotations are part of the document: edits of them can be undone and are stored in sessions, like those of samples.
-// Nothing is computed from them.
+// Nothing is computed from them, except centre lines between two ends.
 #pragma once
 
 #include <cstddef>
@@ -11,6 +11,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/base/color.h"
@@ -50,8 +51,11 @@ enum class AnnotationKind : std::uint8_t {
   /// Elements of the drawing that stay highlighted, as provenance shows them: an element with its origins and its
   /// products. The words stand beside the first element.
   highlight,
+  /// The ends of a centre line: the layers of centre lines show the line between the free ends of the axis nearest to
+  /// two positions.
+  center_line,
 };
-inline constexpr std::size_t kAnnotationKinds = 7;
+inline constexpr std::size_t kAnnotationKinds = 8;
 
 /// One shape of a highlight. Its positions are anchors of the annotation; each element uses the next ones:
 ///   point             its position
@@ -93,7 +97,8 @@ constexpr std::size_t anchor_count(AnnotationKind kind) {
     case AnnotationKind::text:
     case AnnotationKind::leader: return 1;
     case AnnotationKind::arrow:
-    case AnnotationKind::distance: return 2;
+    case AnnotationKind::distance:
+    case AnnotationKind::center_line: return 2;
     case AnnotationKind::angle:
     case AnnotationKind::radius: return 3;
     case AnnotationKind::highlight: return 0;
@@ -150,6 +155,9 @@ std::string fault_of(const Annotation& annotation, const NumberedThings& things)
 std::string fault_of(const Annotations& annotations, const NumberedThings& things);
 /// Number of elements that the annotations highlight.
 std::size_t highlighted_elements(const Annotations& annotations);
+
+/// The positions of the ends of centre lines, as they were set; `data_of` sets those that follow something.
+std::vector<std::pair<Vec2, Vec2>> center_line_ends(const Annotations& annotations);
 
 /// True if they differ at most in positions and shifts.
 bool same_but_for_places(const Annotations& a, const Annotations& b);

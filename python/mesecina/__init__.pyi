@@ -143,6 +143,7 @@ class Session:
     samples: _Samples
     settings: _Settings
     curve_source: _Settings
+    center_line_ends: _Settings
     scaled_balls: _ScaledBalls
     shared_borders: _SharedBorders
     delaunay: _Delaunay

@@ -433,6 +433,9 @@ TEST_CASE("a session asks for as late a reader as its contents need") {
   CHECK(schema_of({}, on_ball) == '2');
   CHECK(schema_of(highlight, words) == '2');
   CHECK(schema_of(words, highlight) == '2');
+  const Annotations ends{{.kind = AnnotationKind::center_line, .anchors = {{}, {{}, {0}}}}};
+  CHECK(schema_of(ends, {}) == '4');
+  CHECK(schema_of(words, ends) == '4');
   // Highlights of files that said 1 are read.
   CHECK(read_session(R"({"mesecina":"session","schema":1,"data":{"annotations":[
     {"kind":"highlight","at":[1,2],"elements":[["point","itself"]]}]}})",

@@ -237,13 +237,16 @@ Expected<FoundLines> find_lines(const Registry& registry, const CenterlineJob& j
   if (!chosen) return in_file(chosen.error(), name);
   const SampleData& samples = *chosen;
   CenterLineWish wish = job.wish;
+  // Ends that a session has count unless more lines are wanted.
+  if (!job.between && wish.request.most == 1) wish.request.between = center_line_ends(data.annotations);
   if (job.between) {
-    wish.request.between = job.between;
+    auto& [from, to] = wish.request.between.emplace_back(*job.between);
     if (data.map) {
       const auto to_system = MapConversion::of(*data.map, MapTarget::own_system);
       if (!to_system) return in_file(to_system.error(), name);
-      wish.request.between = {to_system->to_plane(job.between->first), to_system->to_plane(job.between->second)};
-      for (const Vec2 end : {wish.request.between->first, wish.request.between->second})
+      from = to_system->to_plane(from);
+      to = to_system->to_plane(to);
+      for (const Vec2 end : {from, to})
         if (!is_finite(end)) return in_file({ErrorCode::usage, "--between has a point that is not on the map"}, name);
     }
   }

@@ -42,6 +42,7 @@ constexpr auto kSynonyms = std::to_array<Synonyms>({
     {"join-contours", "connect link merge polyline"},
     {"cut-contours", "split break divide"},
     {"forget-contours", "remove polyline connectivity"},
+    {"center-line-between", "path route ends skeleton medial axis river"},
     {"contours-along-crust", "connect polyline polygon reconstruct"},
     {"tool-select", "arrow pointer move drag pick"},
     {"tool-insert", "add point draw"},

@@ -22,6 +22,7 @@ constexpr auto kNames = std::to_array<Name>({
     {"samples", "the samples"},
     {"contours", "the contours"},
     {"curve-source", "the curves of the samples"},
+    {"center-line-ends", "the ends of centre lines"},
     {"curve-sampling", "how well samples represent their curves"},
     {"balls", "your own balls"},
     {"scaled-balls", "your own balls"},

@@ -20,6 +20,7 @@ constexpr double kHeadHalf = 3.2;
 // Gap between a line and its element, which stays visible.
 constexpr double kLineGap = 6.0;
 constexpr double kWordsGap = 4.0;
+constexpr double kEndRing = 7.0;
 constexpr double kPi = std::numbers::pi;
 
 Vec2 unit(Vec2 v) {
@@ -54,6 +55,7 @@ class AnnotationLayout {
     if (std::ranges::all_of(at, [](Vec2 p) { return is_finite(p); })) draw(at, places);
     out_.words.push_back(words_box_);
     out_.places.push_back(std::move(at));
+    out_.kinds.push_back(annotation.kind);
   }
 
   AnnotationDrawing take() { return std::move(out_); }
@@ -68,6 +70,7 @@ class AnnotationLayout {
       case AnnotationKind::angle: angle(at, measured(places)); break;
       case AnnotationKind::radius: radius(at, places, measured(places)); break;
       case AnnotationKind::highlight: words_from(at[0] + annotation_->shift); break;
+      case AnnotationKind::center_line: ends(at[0], at[1]); break;
     }
   }
   std::string measured(const std::vector<Vec2>& places) const { return measured_value(annotation_->kind, places); }
@@ -224,6 +227,16 @@ class AnnotationLayout {
     words_towards(center + 0.5 * size * direction + annotation_->shift, normal);
   }
 
+  /// Draws a ring about each end, and the text beside the first one, away from the other.
+  void ends(Vec2 from, Vec2 to) {
+    for (const Vec2 end : {from, to}) {
+      plane_.circle(end, kEndRing, 1.5 * kAnnotationLine, color_);
+      if (plane_.reaches(end)) out_.drawing.dots.push_back({end.x, end.y, 2.0, color_});
+    }
+    const Vec2 direction = from == to ? Vec2{0.0, -1.0} : unit(from - to);
+    words_towards(from + kEndRing * direction + annotation_->shift, direction);
+  }
+
   const MeasureText& measure_;
   Rgb ink_;
   Rgb color_;
@@ -268,7 +281,8 @@ std::string measured_value(AnnotationKind kind, const std::vector<Vec2>& places)
     case AnnotationKind::text:
     case AnnotationKind::leader:
     case AnnotationKind::arrow:
-    case AnnotationKind::highlight: return {};
+    case AnnotationKind::highlight:
+    case AnnotationKind::center_line: return {};
     case AnnotationKind::distance: return number(length(places[1] - places[0]));
     case AnnotationKind::angle: {
       const Vec2 first = places[0] - places[1];
@@ -307,6 +321,10 @@ std::optional<std::size_t> annotation_at(const AnnotationDrawing& drawn, Vec2 px
       continue;
     }
     const std::vector<Vec2>& places = drawn.places[i];
+    if (drawn.kinds[i] == AnnotationKind::center_line) {
+      if (std::ranges::any_of(places, [&](Vec2 end) { return length(px - end) <= reach; })) return i;
+      continue;
+    }
     // The anchor of plain text is only its beginning, and the element there stays free for other tools.
     for (std::size_t k = 0; k + 1 < places.size(); ++k)
       if (distance_to(px, places[k], places[k + 1]) <= reach) return i;

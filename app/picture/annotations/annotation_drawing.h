@@ -42,6 +42,7 @@ struct AnnotationDrawing {
   PaperDrawing drawing;
   std::vector<Box2> words;                ///< box of the text of each annotation; empty if it has none
   std::vector<std::vector<Vec2>> places;  ///< positions of the anchors of each annotation
+  std::vector<AnnotationKind> kinds{};    ///< of each annotation
   std::vector<std::string> complaints{};  ///< about text that is not understood, one line each
   SeenPlane plane{};
   std::vector<std::vector<HighlightedShape>> highlighted{};  ///< for each annotation
@@ -52,7 +53,8 @@ AnnotationDrawing layout_annotations(const PlacedAnnotations& placed, const Seen
                                      const MeasureText& measure, const std::optional<Rgb>& background);
 
 /// The topmost annotation within `reach` of a point on the drawing: picked by its text, its anchors, or the line
-/// between two of them; a highlight by its text and the lines and points of its elements.
+/// between two of them, which the ends of a centre line lack; a highlight by its text and the lines and points of its
+/// elements.
 std::optional<std::size_t> annotation_at(const AnnotationDrawing& drawn, Vec2 px, double reach);
 
 }  // namespace mes

@@ -167,16 +167,16 @@ void FigureFlow::ask_center_lines() {
   std::vector<std::string> extensions;
   for (const LineTextFormat& format : line_text_formats())
     if (!format.name.contains('-')) extensions.push_back("." + std::string(format.name));
-  CenterLineWish wish = wish_of(uses_.work.computation().settings());
+  CenterLineWish wish = wish_of(uses_.work.computation().settings(), {});
   const std::vector<SampleSlot> selected = uses_.work.editor().selection().slots();
   if (selected.size() == 2) {
     const Document& document = uses_.work.document();
-    wish.request.between = {document.position(selected[0]), document.position(selected[1])};
+    wish.request.between = {{document.position(selected[0]), document.position(selected[1])}};
   }
-  ask_file_for(
-      wish.request.between ? "Export the centre line between the ends near two samples" : "Export centre lines",
-      "-center-lines", extensions,
-      [this, wish](const std::filesystem::path& file) { write_center_lines(file, wish); });
+  ask_file_for(!wish.request.between.empty() ? "Export the centre line between the ends near two samples"
+                                             : "Export centre lines",
+               "-center-lines", extensions,
+               [this, wish](const std::filesystem::path& file) { write_center_lines(file, wish); });
 }
 
 void FigureFlow::write_center_lines(const std::filesystem::path& file, const CenterLineWish& wish) {
@@ -186,7 +186,9 @@ void FigureFlow::write_center_lines(const std::filesystem::path& file, const Cen
   const auto compute = [format, wish](const Registry& registry, const SampleData& data,
                                       const std::stop_token& stop) -> Expected<GeometryText> {
     JobControl job(stop);
-    const auto found = compute_center_lines(registry, data, wish, job);
+    CenterLineWish full = wish;
+    if (full.request.between.empty()) full.request.between = center_line_ends(data.annotations);
+    const auto found = compute_center_lines(registry, data, full, job);
     if (!found) return std::unexpected(found.error());
     std::vector<TextLine> lines;
     for (const CenterLine& line : found->lines) lines.push_back(text_line_of(line, data.map));

@@ -96,6 +96,11 @@ void DrawingBoard::bind(ActionBindings& actions) {
   actions.bind(ActionId::keep_measurement,
                {[this] { keep_measurement(); },
                 {[this] { return canvas_.tool().measurement().has_value(); }, "nothing is measured"}});
+  actions.bind(ActionId::center_line_between, {[this] {
+                                                 if (auto ends = two_ends()) add_center_line(*std::move(ends));
+                                               },
+                                               {[this] { return two_ends().has_value(); },
+                                                "neither two points are measured nor two samples selected"}});
   actions.bind(ActionId::keep_highlight, {[this] { keep_highlight(); },
                                           {[this] { return provenance_.can_be_kept(work_.editor()); },
                                            "nothing that can be kept highlighted was clicked"}});
@@ -507,6 +512,28 @@ std::size_t DrawingBoard::hidden_by(const Box2& on_screen) const {
 void DrawingBoard::keep_measurement() {
   auto measured = canvas_.tool().measurement();
   if (measured) static_cast<void>(keep(std::move(*measured)));
+}
+
+std::optional<Annotation> DrawingBoard::two_ends() const {
+  if (auto measured = canvas_.tool().measurement(); measured && measured->anchors.size() == 2) {
+    measured->kind = AnnotationKind::center_line;
+    return measured;
+  }
+  const Selection& selection = work_.editor().selection();
+  if (selection.size() != 2 || selection.sample_count() != 2) return std::nullopt;
+  const Document& document = work_.document();
+  Annotation out{.kind = AnnotationKind::center_line};
+  for (const SampleSlot slot : selection.slots())
+    out.anchors.push_back({document.position(slot), {document.id(slot).value - document.first_id().value}});
+  return out;
+}
+
+void DrawingBoard::add_center_line(Annotation ends) {
+  work_.editor().note_layers();
+  if (!keep(std::move(ends))) return;
+  LayerStack& layers = work_.layers();
+  if (const LayerIndex layer = layers.find("center-lines"); layer != kNoLayer) layers.set_visible(layer, true);
+  work_.editor().join_layers();
 }
 
 void DrawingBoard::keep_highlight(std::optional<std::size_t> line) {

@@ -112,6 +112,9 @@ class DrawingBoard {
   void draw_marks(std::size_t number, const PanePart& pane, bool is_marked);
   void fit_pane(std::size_t pane, const Box2& box, double margin_px, bool at_once = false);
   void keep_measurement();
+  /// The ends of a centre line: two measured points, else the two selected samples; nothing for another number.
+  std::optional<Annotation> two_ends() const;
+  void add_center_line(Annotation ends);
   bool may_ask();
   void choose_class(const Pointer& pointer, Vec2 place);
   void ask_beside(const Pointer& pointer, const ChosenThing& chosen);

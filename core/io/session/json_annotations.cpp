@@ -230,6 +230,9 @@ json to_json(const Annotations& annotations) {
 }
 
 std::uint64_t schema_of(const Annotations& annotations) {
+  constexpr std::uint64_t kOfCenterLines = 4;
+  if (std::ranges::find(annotations, AnnotationKind::center_line, &Annotation::kind) != annotations.end())
+    return kOfCenterLines;
   const auto is_later = [](const Annotation& annotation) {
     return annotation.kind == AnnotationKind::highlight ||
            std::ranges::any_of(annotation.anchors, [](const Anchor& anchor) { return !anchor.balls.empty(); });

@@ -9,9 +9,9 @@
 //  2. Readers skip unknown keys and unknown kinds of entries, so that they can open files of later versions; the
 //     positions of a lesson count the remaining entries. Entries that change the document or can be undone are never
 //     skipped: a new kind of these comes with a new `schema`, which earlier versions refuse; an unknown kind of
-//     annotation is refused, too. A file states the lowest schema that its contents need: 3 with a map in a system or
-//     projection that schema 1 does not have, 2 with highlights or annotations that follow balls, otherwise 1. Journals
-//     state the highest.
+//     annotation is refused, too. A file states the lowest schema that its contents need: 4 with ends of centre lines,
+//     3 with a map in a system or projection that schema 1 does not have, 2 with highlights or annotations that follow
+//     balls, otherwise 1. Journals state the highest.
 //  3. Any other nonsense is an error with its position; nothing crashes. Reading takes less memory than twelve times
 //     the text, the text included, whatever the text contains.
 //
@@ -37,7 +37,7 @@
 namespace mes {
 
 /// Version of the keys of a session file. A file with a greater version is refused.
-inline constexpr std::uint64_t kSessionSchema = 3;
+inline constexpr std::uint64_t kSessionSchema = 4;
 
 /// State of the evolution slider.
 struct SessionEvolution {

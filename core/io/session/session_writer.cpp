@@ -242,7 +242,8 @@ std::string write_session(const Session& session) {
   // One entry a line, because session files are compared and kept under version control.
   constexpr std::uint64_t kSchemaOfSystems = 3;
   const std::optional<MapPlane>& map = session.data->map;
-  std::uint64_t schema = map && !is_old_plane(*map) ? kSchemaOfSystems : schema_of(session.data->annotations);
+  std::uint64_t schema = schema_of(session.data->annotations);
+  if (map && !is_old_plane(*map)) schema = std::max(schema, kSchemaOfSystems);
   std::string out = head_text(session, 0);
   out.pop_back();
   out += lesson_text(session.lesson, true);

@@ -3,13 +3,18 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
+
+#include "core/kernel/circumcircle.h"
 
 namespace mes {
 
-AxisCenterLines::AxisCenterLines(SettingsSource& settings, OneStepCrust& crust, InnerBalls& balls, LambdaAxis& lambda,
-                                 AngleAxis& angle)
-    : Structure("center-lines", {&settings, &crust, &balls, &lambda, &angle}),
+AxisCenterLines::AxisCenterLines(SettingsSource& settings, Samples& samples, CenterLineEnds& ends,
+                                 OneStepCrust& crust, InnerBalls& balls, LambdaAxis& lambda, AngleAxis& angle)
+    : Structure("center-lines", {&settings, &samples, &ends, &crust, &balls, &lambda, &angle}),
       settings_(settings),
+      samples_(samples),
+      ends_(ends),
       crust_(crust),
       balls_(balls),
       lambda_(lambda),
@@ -25,13 +30,43 @@ AxisCenterLines::Wish AxisCenterLines::wanted() const {
           settings[Parameter::transects]};
 }
 
+std::vector<std::pair<Vec2, Vec2>> AxisCenterLines::ends() const {
+  std::vector<std::pair<SampleId, std::optional<Vec2>>> followed;
+  for (const auto& line : ends_.current())
+    for (const CenterLineEnd& end : line)
+      for (const SampleId id : end.follows) followed.emplace_back(id, std::nullopt);
+  std::ranges::sort(followed, {}, [](const auto& one) { return one.first; });
+  const auto find = [&](SampleId id) {
+    return std::ranges::lower_bound(followed, id, {}, [](const auto& one) { return one.first; });
+  };
+  if (!followed.empty())
+    for (const SampleSlot slot : slots_below<SampleSlot>(samples_.row_count()))
+      if (samples_.is_alive(slot))
+        for (auto at = find(samples_.id(slot)); at != followed.end() && at->first == samples_.id(slot); ++at)
+          at->second = samples_.position(slot);
+  const auto place_of = [&](const CenterLineEnd& end) {
+    std::vector<Vec2> on;
+    for (const SampleId id : end.follows)
+      if (const auto at = find(id)->second) on.push_back(*at);
+    if (on.size() != end.follows.size() || on.empty()) return end.at;
+    if (on.size() == 1) return on.front();
+    const Vec2 center = circumcircle(on[0], on[1], on[2]).center;
+    return is_finite(center) ? center : end.at;
+  };
+  std::vector<std::pair<Vec2, Vec2>> out;
+  for (const auto& [from, to] : ends_.current()) out.emplace_back(place_of(from), place_of(to));
+  return out;
+}
+
 void AxisCenterLines::rebuild(JobControl& job) {
   wish_ = wanted();
   lines_ = {};
   pieces_ = {};
   transects_ = {};
-  const CenterLineRequest request{.least_salience = wish_.pruning, .most = static_cast<std::size_t>(wish_.branches)};
+  const CenterLineRequest request{
+      .least_salience = wish_.pruning, .most = static_cast<std::size_t>(wish_.branches), .between = ends()};
   CenterLines set = center_lines_of(lambda_, crust_, branches_of(lambda_, balls_, lambda_, angle_), request, job);
+  unjoined_ = set.unjoined;
   smooth(set, kUsualSmoothing);
   double length = 0.0;
   for (const CenterLine& line : set.lines) length += length_of(line);
@@ -49,11 +84,12 @@ void AxisCenterLines::rebuild(JobControl& job) {
 }
 
 bool AxisCenterLines::update(JobControl&) {
-  return wish_ == wanted() && crust_.touched() == 0 && lambda_.touched() == 0;
+  return wish_ == wanted() && ends_.touched() == 0 && crust_.touched() == 0 && lambda_.touched() == 0;
 }
 
 StatList AxisCenterLines::statistics() const {
   StatList out{{"lines", static_cast<std::int64_t>(lines_.size())}};
+  if (!ends_.current().empty()) out.push_back({"ends_without_line", static_cast<std::int64_t>(unjoined_)});
   if (lines_.empty()) return out;
   double length = 0.0;
   for (const Line& line : lines_) length += line.length;

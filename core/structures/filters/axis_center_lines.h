@@ -4,15 +4,19 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/base/table.h"
 #include "core/structures/filters/center_lines.h"
+#include "core/structures/inputs/center_line_ends.h"
+#include "core/structures/inputs/samples.h"
 #include "core/structures/inputs/settings_source.h"
 
 namespace mes {
 
-/// The main lines of the lambda axis, pruned and smoothed (`center_lines_of`), and transects across them.
+/// The main lines of the lambda axis, pruned and smoothed (`center_lines_of`), and transects across them. If the user
+/// asks for lines between ends, only these, but for those whose ends no line joins.
 ///
 /// A transect joins the nearest points of both banks through the point of the axis that a station stands for. The length
 /// of all lines divided by the parameter `transects` is the step between them; each line has one at its beginning.
@@ -47,8 +51,8 @@ class AxisCenterLines final : public Structure {
   using PieceSlot = Slot<struct CenterPieceTag>;
   using TransectSlot = Slot<struct TransectTag>;
 
-  AxisCenterLines(SettingsSource& settings, OneStepCrust& crust, InnerBalls& balls, LambdaAxis& lambda,
-                  AngleAxis& angle);
+  AxisCenterLines(SettingsSource& settings, Samples& samples, CenterLineEnds& ends, OneStepCrust& crust,
+                  InnerBalls& balls, LambdaAxis& lambda, AngleAxis& angle);
 
   /// Shape by shape, that with the longest first line first.
   const Table<LineSlot, Line>& lines() const { return lines_; }
@@ -64,7 +68,12 @@ class AxisCenterLines final : public Structure {
   std::vector<std::string_view> parameters() const override;
 
  private:
+  /// The present positions of the ends. O(samples), if there are any.
+  std::vector<std::pair<Vec2, Vec2>> ends() const;
+
   SettingsSource& settings_;
+  Samples& samples_;
+  CenterLineEnds& ends_;
   OneStepCrust& crust_;
   InnerBalls& balls_;
   LambdaAxis& lambda_;
@@ -77,7 +86,8 @@ class AxisCenterLines final : public Structure {
   };
   Wish wanted() const;
 
-  Wish wish_;  // of the tables
+  Wish wish_;                 // of the tables
+  std::size_t unjoined_ = 0;  // pairs of ends without a line
   Table<LineSlot, Line> lines_;
   Table<PieceSlot, Piece> pieces_;
   Table<TransectSlot, Transect> transects_;

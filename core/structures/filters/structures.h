@@ -13,6 +13,8 @@
 #include "core/structures/filters/cover_axis.h"
 #include "core/structures/filters/cover_dates.h"
 #include "core/structures/filters/lambda_axis.h"
+#include "core/structures/inputs/center_line_ends.h"
+#include "core/structures/inputs/samples.h"
 #include "core/structures/inputs/settings_source.h"
 
 namespace mes {
@@ -21,7 +23,8 @@ namespace mes {
 inline void add_filter_structures(Registry& registry) {
   registry.add_structure<LambdaAxis, SettingsSource, Delaunay, OneStepCrust, Labels, InnerBalls, MedialAxis>();
   registry.add_structure<AngleAxis, SettingsSource, Delaunay, OneStepCrust, Labels, InnerBalls, MedialAxis>();
-  registry.add_structure<AxisCenterLines, SettingsSource, OneStepCrust, InnerBalls, LambdaAxis, AngleAxis>();
+  registry.add_structure<AxisCenterLines, SettingsSource, Samples, CenterLineEnds, OneStepCrust, InnerBalls,
+                         LambdaAxis, AngleAxis>();
   registry.add_structure<CoverDates, Delaunay, InnerBalls>();
   registry
       .add_structure<CoverAxis, SettingsSource, Delaunay, OneStepCrust, Labels, InnerBalls, MedialAxis, CoverDates>();

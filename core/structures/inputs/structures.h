@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/graph/registry.h"
+#include "core/structures/inputs/center_line_ends.h"
 #include "core/structures/inputs/contours.h"
 #include "core/structures/inputs/curve_source_input.h"
 #include "core/structures/inputs/samples.h"
@@ -20,6 +21,7 @@ inline void add_input_structures(Registry& registry) {
   registry.add_structure<SettingsSource>();
   registry.add_structure<UserBalls>();
   registry.add_structure<CurveSourceInput>();
+  registry.add_structure<CenterLineEnds>();
   registry.add_structure<ScaledUserBalls, SettingsSource, UserBalls>();
   registry.add_structure<Contours, Samples>();
   registry.add_structure<SharedBorders, Samples>();

@@ -250,4 +250,12 @@ TEST_CASE("an annotation is hit by its words and by its line, the topmost first"
   CHECK(annotation_at(both, {110, 495}, 5.0) == 1);
   CHECK(annotation_at(both, {110, 490}, 5.0) == 0);
   CHECK_FALSE(annotation_at(both, {300, 300}, 5.0).has_value());
+  // Only the ends of a centre line are its own: what lies between belongs to the drawing.
+  const Annotation ends = of_kind(AnnotationKind::center_line, {{1, 1}, {5, 1}});
+  const AnnotationDrawing line =
+      layout_annotations(place(document_with({}, {ends})), kPlane, half_size_a_byte, Rgb{255, 255, 255});
+  CHECK(line.drawing.arcs.size() + line.drawing.strokes.size() >= 2);
+  CHECK(annotation_at(line, line.places[0][0], 5.0) == 0);
+  CHECK(annotation_at(line, line.places[0][1] + Vec2{3, 3}, 5.0) == 0);
+  CHECK_FALSE(annotation_at(line, 0.5 * (line.places[0][0] + line.places[0][1]), 5.0).has_value());
 }

@@ -67,17 +67,21 @@ TEST_CASE("the preview shows the page as large as on paper on request") {
 
 namespace {
 
+void choose_in_palette(const DrivenProgram& window, const std::string& words) {
+  const Screenshot before = window.screen.settled();
+  window.press("ctrl+k");
+  static_cast<void>(window.other_than(before));
+  window.screen.xdotool("type --delay 20 '" + words + "'");
+  static_cast<void>(window.screen.settled());
+  window.press("Return");
+  static_cast<void>(window.screen.settled());
+}
+
 /// Exports centre lines under the name that is offered, and reads them.
 nlohmann::json exported_center_lines(const DrivenProgram& window, const std::string& name) {
   const auto path = window.folder / (name + "-center-lines.geojson");
   std::filesystem::remove(path);
-  const Screenshot before = window.screen.settled();
-  window.press("ctrl+k");
-  static_cast<void>(window.other_than(before));
-  window.screen.xdotool("type --delay 20 'export centre'");
-  static_cast<void>(window.screen.settled());
-  window.press("Return");
-  static_cast<void>(window.screen.settled());
+  choose_in_palette(window, "export centre");
   window.press("Return");
   REQUIRE(eventually([&] { return std::filesystem::exists(path); }));
   return nlohmann::json::parse(bytes_of(path)).at("features");
@@ -121,6 +125,23 @@ TEST_CASE("with two samples selected the centre line between the ends near them 
   const auto& places = chosen[0]["geometry"]["coordinates"];
   CHECK(std::max(places.front()[1].get<double>(), places.back()[1].get<double>()) > 3);
   CHECK(std::max(places.front()[0].get<double>(), places.back()[0].get<double>()) > 5);
+
+  // The same line is drawn, with rings about its ends, and is exported from now on, until the step is undone.
+  const auto vermilion = [&] {
+    return window.screen.settled().box_of({100, 40, 930, 760},
+                                          [](Color c) { return c.r > 190 && c.g > 60 && c.g < 130 && c.b < 60; });
+  };
+  choose_in_palette(window, "centre line between");
+  window.press("Escape");
+  window.press("Escape");
+  const PixelBox line = vermilion();
+  CHECK(line.left > middle_x - 30);
+  CHECK(line.right > box.right - 60);
+  CHECK(line.top < box.top + 60);
+  CHECK(line.bottom < middle_y + 30);
+  CHECK(exported_center_lines(window, "cross")[0]["properties"]["length"] == chosen[0]["properties"]["length"]);
+  window.press("ctrl+z");
+  CHECK(exported_center_lines(window, "cross")[0]["properties"]["length"] == whole[0]["properties"]["length"]);
 }
 
 TEST_CASE("centre lines are exported by their name in the palette, with their lengths") {

@@ -29,6 +29,7 @@ const char* kind_name(AnnotationKind kind) {
     case AnnotationKind::angle: return "Angle";
     case AnnotationKind::radius: return "Radius";
     case AnnotationKind::highlight: return "Highlight";
+    case AnnotationKind::center_line: return "Centre line";
   }
   return "";
 }
@@ -42,6 +43,8 @@ const char* explanation_of(AnnotationKind kind) {
     case AnnotationKind::angle: return "The angle at the second point";
     case AnnotationKind::radius: return "The circle through the three points, and its radius";
     case AnnotationKind::highlight: return "Elements that stay highlighted, with optional text";
+    case AnnotationKind::center_line:
+      return "The two points are the ends of the line that the layers of centre lines show";
   }
   return "";
 }
@@ -80,7 +83,8 @@ bool AnnotationCard::draw_words(const Gui& gui, Annotation& annotation, bool is_
       rich_text(annotation.text, "", annotation.letters, [](const std::string&, double, Face) { return 0.0; });
   ImGui::PushFont(gui.small());
   const bool is_dimension = annotation.kind != AnnotationKind::highlight && anchor_count(annotation.kind) > 1 &&
-                            annotation.kind != AnnotationKind::arrow;
+                            annotation.kind != AnnotationKind::arrow &&
+                            annotation.kind != AnnotationKind::center_line;
   const std::string hint = is_dimension ? "Empty for the number alone; \\value is the number, as in $d = \\value$"
                                         : "$r_i^2$, \\alpha, \\textbf{bold}; Ctrl+Enter: another line";
   quiet_paragraph(words.complaint.empty() ? hint : words.complaint + "; it is shown as typed",

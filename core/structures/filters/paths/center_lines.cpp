@@ -134,15 +134,17 @@ CenterLines center_lines_of(const AxisNetwork& network, const CenterLineRequest&
   CenterLines out;
   out.points = graph.shapes() - paths.shape_count();
   std::vector<AxisPath> found;
-  if (request.between) {
-    const auto from = graph.end_near(paths, request.between->first);
-    const auto to = graph.end_near(paths, request.between->second);
+  for (const auto& [first, last] : request.between) {
+    job.checkpoint();
+    const auto from = graph.end_near(paths, first);
+    const auto to = graph.end_near(paths, last);
     auto path = from && to && *from != *to ? paths.between(*from, *to) : std::nullopt;
-    out.are_ends_joined = path.has_value();
-    if (path) found.push_back(std::move(*path));
-  } else {
-    found = paths.main_lines(request.most, job);
+    if (path)
+      found.push_back(std::move(*path));
+    else
+      ++out.unjoined;
   }
+  if (request.between.empty()) found = paths.main_lines(request.most, job);
 
   // Shapes by the length of their first line.
   std::vector<double> lengths(paths.shape_count(), 0.0);
@@ -160,7 +162,7 @@ CenterLines center_lines_of(const AxisNetwork& network, const CenterLineRequest&
     if (i != 0 && !is_same) ++shape;
     CenterLine line = graph.line_of(found[i], paths);
     if (line.banks.empty()) continue;  // shorter than doubles can tell
-    if (line.is_free == std::array{true, true} && !request.between &&
+    if (line.is_free == std::array{true, true} && request.between.empty() &&
         lexicographically_less(line.axis.back(), line.axis.front()))
       turn_round(line);
     line.shape = shape;

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -18,15 +17,14 @@ namespace mes {
 struct CenterLineRequest {
   double least_salience = 0.5;  ///< of a branch (branch_pruning.h)
   std::size_t most = 1;         ///< lines of each shape
-  /// Only the shortest line between the free ends of the axis that are nearest to these two points.
-  std::optional<std::pair<Vec2, Vec2>> between{};
+  /// If not empty, only the shortest lines between the free ends of the axis that are nearest to the points of a pair.
+  std::vector<std::pair<Vec2, Vec2>> between{};
 };
 
 struct CenterLines {
   std::vector<CenterLine> lines;  ///< shape by shape, that with the longest first line first
   std::size_t points = 0;         ///< shapes whose axis is a single point and has no line
-  /// Whether `between` names two different ends of one shape; without it true.
-  bool are_ends_joined = true;
+  std::size_t unjoined = 0;       ///< pairs of `between` that are not two different ends of one shape
 };
 
 /// The lines of `AxisPaths` through the salient branches of the network. A line between two free ends begins at the

@@ -241,7 +241,7 @@ TEST_CASE("a ring has a closed line, two shapes a line each, and two points choo
   const auto stations = stations_of(line, length_of(line) / 10.0);
   CHECK((stations.size() == 10 || stations.size() == 11));
   for (const Station& at : stations) CHECK(at.width == Approx(1.0).epsilon(0.02));
-  CHECK_FALSE(ring.lines({.between = {{{0.0, 0.0}, {1.0, 0.0}}}}).are_ends_joined);
+  CHECK(ring.lines({.between = {{{0.0, 0.0}, {1.0, 0.0}}}}).unjoined == 1);
 
   const LineBench two(two_ellipses(2.0, 1.0, 1.0, 400).data);
   const CenterLines lines = two.lines();
@@ -254,7 +254,13 @@ TEST_CASE("a ring has a closed line, two shapes a line each, and two points choo
   REQUIRE(diagonal.lines.size() == 1);
   CHECK(distance(diagonal.lines[0].points.front().place, {8.0, 2.0}) < 0.1);
   CHECK(distance(diagonal.lines[0].points.back().place, {0.0, 0.0}) < 0.1);
-  CHECK_FALSE(corners.lines({.between = {{{9.0, 3.0}, {9.0, 2.0}}}}).are_ends_joined);
+  CHECK(corners.lines({.between = {{{9.0, 3.0}, {9.0, 2.0}}}}).unjoined == 1);
+  const CenterLines several =
+      corners.lines({.least_salience = 0.0,
+                     .between = {{{9.0, 3.0}, {-1.0, -1.0}}, {{9.0, 3.0}, {9.0, 2.0}}, {{9.0, -1.0}, {9.0, 3.0}}}});
+  CHECK(several.unjoined == 1);
+  REQUIRE(several.lines.size() == 2);
+  CHECK(distance(several.lines[1].points.front().place, {8.0, 0.0}) < 0.1);
 }
 
 TEST_CASE("a smoothed line stays within its tolerance and deep inside the balls") {
@@ -448,4 +454,70 @@ TEST_CASE("the structure has the lines of all shapes, and transects in equal ste
   settings[Parameter::center_line_branches] = 10.0;
   bench.choose(settings);
   CHECK(lines.lines().size() == 6);
+}
+
+TEST_CASE("the lines between ends that the user chose follow the samples there, and replace the others") {
+  // A cross with arms of length 9 to both sides, and of 6 upwards and downwards.
+  const std::vector<Vec2> samples = sampled(
+      {{1, -1}, {9, -1}, {9, 1}, {1, 1}, {1, 6}, {-1, 6}, {-1, 1}, {-9, 1}, {-9, -1}, {-1, -1}, {-1, -6}, {1, -6}},
+      0.125);
+  const auto near = [&](Vec2 p) {
+    return static_cast<std::uint32_t>(std::ranges::min_element(samples, {}, [&](Vec2 q) { return distance(p, q); }) -
+                                      samples.begin());
+  };
+  TestBench bench;
+  bench.show({"center-lines", "transects"});
+  const auto ends_of_line = [&](std::size_t line) {
+    std::vector<Vec2> out;
+    for (const AxisCenterLines::Piece& piece : bench.get<AxisCenterLines>().pieces()) {
+      if (piece.line != AxisCenterLines::LineSlot(line)) continue;
+      if (out.empty()) out.push_back(piece.from);
+      out.resize(1);
+      out.push_back(piece.to);
+    }
+    REQUIRE(out.size() == 2);
+    return out;
+  };
+  SampleData data{.positions = samples};
+  bench.load(data);
+  CHECK(distance(ends_of_line(0)[0], {-8, 0}) < 0.3);
+  CHECK(distance(ends_of_line(0)[1], {8, 0}) < 0.3);
+
+  data.annotations = {
+      {.kind = AnnotationKind::text, .text = "cross", .anchors = {{}}},
+      {.kind = AnnotationKind::center_line,
+       .anchors = {{.at = {0, 6}, .samples = {near({0, 6})}}, {.at = {9, 0}, .samples = {near({9, 0})}}}}};
+  bench.load(data);
+  CHECK(bench.count("center-lines", "lines") == 1);
+  CHECK(bench.count("center-lines", "ends_without_line") == 0);
+  CHECK(distance(ends_of_line(0)[0], {0, 5}) < 0.3);
+  CHECK(distance(ends_of_line(0)[1], {8, 0}) < 0.3);
+
+  // So far to the left that a fixed end would be nearest to another tip.
+  std::vector<std::pair<SampleId, Vec2>> moved;
+  const std::vector<SampleId> ids = bench.ids();
+  for (std::size_t i = 0; i < ids.size(); ++i) moved.emplace_back(ids[i], samples[i] - Vec2{20, 0});
+  bench.move(moved);
+  CHECK(distance(ends_of_line(0)[0], {-20, 5}) < 0.3);
+  CHECK(distance(ends_of_line(0)[1], {-12, 0}) < 0.3);
+  bench.undo();
+  CHECK(distance(ends_of_line(0)[0], {0, 5}) < 0.3);
+  // Without its sample an end stays where it was set; the tip there is still the nearest.
+  bench.remove({ids[near({0, 6})]});
+  CHECK(distance(ends_of_line(0)[0], {0, 5}) < 0.3);
+
+  // An end on the centre of a circle, and two lines; a pair at one tip has none.
+  const auto top = [&](double x, double y) { return near({x, y}); };
+  data.annotations = {
+      {.kind = AnnotationKind::center_line,
+       .anchors = {{.at = {0, -6}}, {.at = {5, 5}, .samples = {top(-9, 1), top(-9, -1), top(-8, 1)}}}},
+      {.kind = AnnotationKind::center_line, .anchors = {{.at = {0, 6}}, {.at = {1, 6}}}},
+      {.kind = AnnotationKind::center_line, .anchors = {{.at = {9, 0}}, {.at = {0, 6}}}}};
+  bench.load(data);
+  CHECK(bench.count("center-lines", "lines") == 2);
+  CHECK(bench.count("center-lines", "ends_without_line") == 1);
+  CHECK(distance(ends_of_line(0)[0], {0, -5}) < 0.3);
+  CHECK(distance(ends_of_line(0)[1], {-8, 0}) < 0.3);
+  CHECK(distance(ends_of_line(1)[0], {8, 0}) < 0.3);
+  CHECK(center_line_ends(data.annotations).size() == 3);
 }
