@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/structures/outline/outline_sides.h"
 
+#include <fmt/core.h>
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -11,12 +12,15 @@
 #include "core/base/error.h"
 #include "core/base/geometry/box_tree.h"
 #include "core/curves/curve_bounds.h"
+#include "core/graph/size_refusal.h"
 #include "core/kernel/point_predicates.h"
 
 namespace mes {
 namespace {
 
 constexpr std::size_t kOften = 4096;
+/// An outline with more crossings takes minutes, and has more parts than anybody looks at.
+constexpr std::size_t kMostCrossings = 200'000;
 
 /// Chords turn by at most this from end to end, and joins that turn by less are smooth.
 constexpr double kMostTurn = 1.0 / 16.0;
@@ -213,8 +217,12 @@ std::vector<OutlineSides::Cut> OutlineSides::crossings_of_sides(JobControl& job)
   const double tolerance = 0x1p-44 * std::max({std::abs(extent.low.x), std::abs(extent.low.y),
                                                std::abs(extent.high.x), std::abs(extent.high.y)});
   std::vector<Cut> cuts;
+  const std::size_t before = crossings_;
   for (std::uint32_t i = 0; i < sides_.size(); ++i) {
-    if (i % kOften == 0) job.checkpoint();
+    constexpr std::uint32_t kRatherOften = 64;  // a side may cross all others
+    if (i % kRatherOften == 0) job.checkpoint();
+    if (crossings_ - before > kMostCrossings)
+      throw SizeRefusal(fmt::format("the sides of the outline cross each other more than {} times", kMostCrossings));
     const OutlineSide& a = sides_[i];
     const Box2 own = box_of(a);
     tree.visit_where([&own](const Box2& box, double) { return overlap(own, box); },

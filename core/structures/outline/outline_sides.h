@@ -49,7 +49,8 @@ class OutlineSides {
   /// Curved pieces become chords that leave them by at most `tolerance` and turn by at most 1/16.
   void add(const PlaneCurve& curve, double tolerance);
   /// Splits sides where others end on them or cross them, merges equal ones, and sorts them by their ends. Throws
-  /// `Cancelled`, and `GeometryError` if rounded crossings cause new crossings again and again.
+  /// `Cancelled`, `GeometryError` if rounded crossings cause new crossings again and again, and `SizeRefusal` for more than
+  /// 200,000 crossings.
   std::vector<OutlineSide> take(JobControl& job);
   /// Number of crossings that `take` found.
   std::size_t crossings() const { return crossings_; }

@@ -17,8 +17,10 @@
 #include "core/base/geometry/parabola_arc.h"
 #include "core/base/rng.h"
 #include "core/draw/primitive_values.h"
+#include "core/graph/size_refusal.h"
 #include "core/structures/outline/axis_deviation.h"
 #include "core/structures/outline/outline_axis.h"
+#include "core/structures/outline/outline_sides.h"
 #include "tests/support/parcels.h"
 #include "tests/support/workbench.h"
 
@@ -268,6 +270,23 @@ TEST_CASE("the axis is that of the segment Voronoi diagram of Boost.Polygon") {
     CHECK(bench.axis().graph().edges.size() == edges);
     CHECK(bench.count("outline-axis", "parabolas") == static_cast<std::int64_t>(curved));
   }
+}
+
+TEST_CASE("sides may cross many times, but not by the hundred thousand") {
+  const auto spokes = [](int count) {
+    OutlineSides out;
+    for (int i = 0; i < count; ++i) {
+      const double angle = std::numbers::pi * i / count;
+      const Vec2 end{std::cos(angle), std::sin(angle)};
+      out.add(-1.0 * end, end, false);
+    }
+    return out;
+  };
+  JobControl job;
+  OutlineSides some = spokes(40);
+  CHECK(some.take(job).size() == 80);
+  CHECK(some.crossings() == 40 * 39 / 2);
+  CHECK_THROWS_AS(spokes(1000).take(job), SizeRefusal);
 }
 
 TEST_CASE("the axis depends on the outline as a set") {
