@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // GeoJSON and WKT.
 #include <fmt/core.h>
-
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -11,6 +10,7 @@
 #include "tests/io/checked_reading.h"
 
 using namespace mes;
+using mes::test::good;
 using mes::test::read_map;
 
 namespace {
