@@ -472,7 +472,7 @@ TEST_CASE("what is not known is skipped, what makes no sense is refused") {
        "[]",
        "null",
        R"({"mesecina":"session"})",
-       R"({"mesecina":"session","schema":4})",
+       R"({"mesecina":"session","schema":5})",
        R"({"mesecina":"session","schema":1,"data":{"samples":[1]}})",
        R"({"mesecina":"session","schema":1,"data":{"samples":[1,"2"]}})",
        R"({"mesecina":"session","schema":1,"data":{"samples":{"0":1}}})",

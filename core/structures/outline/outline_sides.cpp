@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <numeric>
 #include <tuple>
 #include <utility>
@@ -93,6 +94,48 @@ bool can_split(Vec2 p, const OutlineSide& side) {
   const double share = share_along(p, side);
   return p != side.from && p != side.to && share > 0.0 && share < 1.0;
 }
+
+/// Moves points that lie together to one of them. Where many sides cross at one point, each two have a crossing of their
+/// own, and these differ by rounding alone. Points lie together if neighbouring cells, of the size of the tolerance, hold
+/// them.
+class JoinedPoints {
+ public:
+  JoinedPoints(std::span<const Vec2> points, double tolerance) : tolerance_(tolerance) {
+    for (const Vec2 p : points) {
+      const auto [at, is_new] = cells_.try_emplace(cell_of(p), Cell{p, nullptr});
+      if (!is_new && lexicographically_less(p, at->second.point)) at->second.point = p;
+    }
+    for (auto& [cell, content] : cells_)
+      for (const auto& step : {Number{0.0, 1.0}, Number{1.0, -1.0}, Number{1.0, 0.0}, Number{1.0, 1.0}})
+        if (const auto beside = cells_.find({cell.first + step.first, cell.second + step.second});
+            beside != cells_.end())
+          join(first_of(content), first_of(beside->second));
+  }
+  /// For one of the points.
+  Vec2 place_of(Vec2 p) { return first_of(cells_.at(cell_of(p))).point; }
+
+ private:
+  using Number = std::pair<double, double>;
+  struct Cell {
+    Vec2 point;    // the smallest in the cell, then among those that were joined
+    Cell* joined;  // null for the cell that stands for others
+  };
+  Number cell_of(Vec2 p) const { return {std::floor(p.x / tolerance_), std::floor(p.y / tolerance_)}; }
+  static Cell& first_of(Cell& cell) {
+    Cell* first = &cell;
+    while (first->joined != nullptr) first = first->joined;
+    if (first != &cell) cell.joined = first;
+    return *first;
+  }
+  static void join(Cell& a, Cell& b) {
+    if (&a == &b) return;
+    if (lexicographically_less(b.point, a.point)) a.point = b.point;
+    b.joined = &a;
+  }
+
+  double tolerance_;
+  std::map<Number, Cell> cells_;
+};
 
 /// All ends, each once, sorted.
 std::vector<Vec2> ends_of(std::span<const OutlineSide> sides) {
@@ -236,6 +279,11 @@ std::vector<OutlineSides::Cut> OutlineSides::crossings_of_sides(JobControl& job)
                        add_cuts_of_crossing(i, j, tolerance, cuts);
                      });
   }
+  std::vector<Vec2> points;
+  for (const Cut& cut : cuts) points.push_back(cut.second);
+  JoinedPoints joined(points, tolerance);
+  for (Cut& cut : cuts) cut.second = joined.place_of(cut.second);
+  std::erase_if(cuts, [this](const Cut& cut) { return !can_split(cut.second, sides_[cut.first]); });
   return cuts;
 }
 

@@ -5,8 +5,8 @@
 //  1. Sides are different, and two of them have at most one point in common: an end of both.
 //  2. The sides depend on the outline as a set: not on the order of contours, their directions, or where they begin.
 //  3. Straight sides are exact. A vertex that lies exactly on a side splits it, as where parcels meet in a T. Sides that
-//     cross are split at the crossing, rounded to doubles, or at an end that lies within 2^-44 of the largest coordinate.
-//     This alone moves sides.
+//     cross are split at the crossing, rounded to doubles, or at an end or another crossing that lies within 2^-44 of the
+//     largest coordinate. This alone moves sides.
 //
 // Cost: O(n log n) for n sides where few boxes of sides overlap. Threads: any.
 #pragma once
