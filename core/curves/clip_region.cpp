@@ -49,8 +49,8 @@ bool overlap_too_often(std::span<const PlaneCurve> curves) {
   return false;
 }
 
-/// The flatness at which so many pieces together have no more sides than `kUsualPieces` have at the usual one: a piece
-/// has as many sides as one over its root.
+/// The flatness at which so many pieces together have hardly more sides than `kUsualPieces` have at the usual one. The
+/// number of sides of a piece grows with one over the root of its flatness.
 double flatness_of(std::size_t pieces) {
   constexpr double kUsualPieces = 1000.0;
   constexpr double kCoarsest = 300.0;

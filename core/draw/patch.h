@@ -112,8 +112,8 @@ struct LayerReport {
   std::string reason;
 };
 
-/// What one run tells of structures and layers. A graph writes only the needed ones again if it finds its own marks, so
-/// the marks stay with the lists: they are moved or swapped together.
+/// Reports of one run on structures and layers. A graph rewrites only those that are needed if it finds its own marks, so
+/// the marks are moved or swapped together with the lists.
 struct RunReport {
   std::uint64_t origin = 0;          ///< identifies the set of structures in `nodes`
   std::uint64_t demand = 0;          ///< identifies the demand for which the lists were last written

@@ -55,7 +55,7 @@ TEST_CASE("the same two points in many ways") {
   }
 }
 
-TEST_CASE("columns of times are no coordinates, and columns chosen among others are told") {
+TEST_CASE("times are not taken as coordinates, and a choice among many columns gets a remark") {
   struct ChosenColumns {
     const char* bytes;
     const char* says;

@@ -106,7 +106,7 @@ class VirtualScreen {
   /// The screen once the program has acted on all that was done before, and has nothing left to draw; before a program is
   /// on the screen, once two pictures in a row are equal. A test fails here if its program has ended.
   Screenshot settled() const;
-  /// Another program will come.
+  /// Forgets the program that has ended, because another one begins.
   void expect_program() { has_program_ = false; }
   /// What the title of the program's window says; empty without one.
   std::string title() const { return window().title; }

@@ -23,7 +23,7 @@ struct MapFeature {
 Expected<std::vector<MapFeature>> kml_features(std::string_view bytes, const std::string& name);
 
 /// The geometries of WKT, which have neither ids nor properties. Never fails: a feature ends where its parentheses are
-/// closed. Text that is no geometry is a feature up to the end of its line; the reader of WKT says what is wrong there.
+/// closed. Other text is a feature up to the end of its line, which the reader of WKT refuses.
 std::vector<MapFeature> wkt_features(std::string_view bytes);
 
 }  // namespace mes

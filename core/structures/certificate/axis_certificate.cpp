@@ -288,7 +288,7 @@ bool AxisCertificate::update(JobControl& job) {
   for (const EdgeSlot edge : labels_.edge_changes().touched)
     if (edge_[edge] != 0 || is_border(edge)) note_edge(edge);
   job.checkpoint();
-  // An arc that was near too many caps may be near fewer now, and which arcs are near what is gone is not known.
+  // An arc near too many caps may be near fewer now; nothing records which arcs a removed cap was near.
   if (too_long_edges_ != 0 && !edges.empty()) return false;
   const std::size_t changed = edges.size();
   if (is_searched_) {

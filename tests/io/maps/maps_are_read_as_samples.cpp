@@ -159,7 +159,7 @@ TEST_CASE("degrees are kept bit for bit where that is asked for") {
   }
 }
 
-TEST_CASE("what is kept or projected is longitude and latitude alone, and others in GeoJSON are told") {
+TEST_CASE("only longitudes and latitudes are kept or projected, and GeoJSON with others gets a remark") {
   const ReadRequest kept{.degrees = MapDegrees::kept};
   const std::string geojson = R"({"type": "Point", "coordinates": [181, 2]})";
   for (const std::string& text : {geojson, std::string("POINT (181 2)"), std::string("181 2\n")}) {
