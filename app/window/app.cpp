@@ -138,10 +138,16 @@ double App::next_wait() {
 }
 
 void App::wait_for_event() {
+  GlfwWindow& window = *screen_.window;
+  // A notice would keep who asks waiting until it has faded.
+  if (window.is_asked_for_rest() && !messages_.notice().empty()) {
+    messages_.clear_notice();
+    screen_.clock.want(1);
+    return window.poll();
+  }
   const double limit = next_wait();
   const bool is_at_rest = limit == 0.0 && !recording_.holds_input() && !input_.has_waiting_events();
   turns_at_rest_ = is_at_rest ? turns_at_rest_ + 1 : 0;
-  GlfwWindow& window = *screen_.window;
   if (is_at_rest && window.is_asked_for_rest()) {
     // One more turn shows what another thread has finished since the last results were taken.
     if (turns_at_rest_ < 2) return window.poll();

@@ -84,6 +84,7 @@ nlohmann::json exported_center_lines(const DrivenProgram& window, const std::str
   choose_in_palette(window, "export centre");
   window.press("Return");
   REQUIRE(eventually([&] { return std::filesystem::exists(path); }));
+  static_cast<void>(window.screen.settled());  // a click goes to the canvas once the dialog is gone
   return nlohmann::json::parse(bytes_of(path)).at("features");
 }
 
