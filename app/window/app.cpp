@@ -139,9 +139,9 @@ double App::next_wait() {
 
 void App::wait_for_event() {
   GlfwWindow& window = *screen_.window;
-  // A notice would keep who asks waiting until it has faded.
-  if (window.is_asked_for_rest() && !messages_.notice().empty()) {
-    messages_.clear_notice();
+  // Who asks would wait for seconds until it has faded.
+  if (window.is_asked_for_rest() && panels_.next_due(ImGui::GetTime())) {
+    panels_.end_what_fades();
     screen_.clock.want(1);
     return window.poll();
   }

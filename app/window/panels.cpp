@@ -282,6 +282,11 @@ std::optional<double> Panels::next_due(double now) const {
   return mark && notice ? std::min(mark, notice) : mark ? mark : notice;
 }
 
+void Panels::end_what_fades() {
+  presenter_.end_marks();
+  uses_.messages.clear_notice();
+}
+
 HiddenAdditionsNote Panels::hidden_additions_note() const {
   return {uses_.screen.gui,    uses_.work.hidden_additions(),   uses_.work.editor(),
           uses_.work.layers(), uses_.board.shows_annotations(), uses_.settings.show_annotations};

@@ -71,6 +71,8 @@ class Panels {
   bool show_panels();
   /// Seconds until something over the canvas begins to fade; nothing if nothing will.
   std::optional<double> next_due(double now) const;
+  /// Ends at once all that would fade over the canvas.
+  void end_what_fades();
   /// The legend or the scale bar, while it is dragged.
   MarkDrag& mark_drag() { return mark_drag_; }
   /// Where the legend and the scale bar were drawn in this frame.

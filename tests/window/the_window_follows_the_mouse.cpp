@@ -16,16 +16,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-struct Folder {
-  fs::path path;
-  Folder() {
-    std::string pattern = (fs::temp_directory_path() / "mesecina-window-XXXXXX").string();
-    REQUIRE(mkdtemp(pattern.data()) != nullptr);
-    path = pattern;
-  }
-  ~Folder() { fs::remove_all(path); }
-};
-
 constexpr int kDraggedSamples = 60;
 constexpr double kRadius = 100.0;
 // "Fit" shows the circle with 40 pixels of margin on a screen 800 pixels high.
@@ -48,34 +38,18 @@ std::vector<Vec2> saved_samples(const fs::path& file) {
   return loaded ? loaded->data.positions : std::vector<Vec2>{};
 }
 
-/// The program on a screen, with the circle open, panels hidden and the view fitted.
-struct Visit {
-  Folder folder;
-  VirtualScreen screen;
-  fs::path file = folder.path / "circle.poff";
-  Environment environment{{"DISPLAY", screen.display()},
-                          {"WAYLAND_DISPLAY", ""},
-                          {"XDG_CONFIG_HOME", folder.path.string()},
-                          {"XDG_DATA_HOME", folder.path.string()},
-                          {"LIBGL_ALWAYS_SOFTWARE", "1"},
-                          // Under a sanitizer: what the graphics driver forgets is not ours to find.
-                          {"ASAN_OPTIONS", "detect_leaks=0"}};
-  Child program;
+/// The program with the circle open.
+struct Visit : DrivenProgram {
+  fs::path file = folder / "circle.poff";
 
   Visit() {
     std::ofstream out(file);
     out << std::setprecision(17) << "POFF " << kDraggedSamples << " 0 0\n";
     for (int i = 0; i < kDraggedSamples; ++i) out << sample(i).x << ' ' << sample(i).y << '\n';
     out.close();
-    program = Child({MESECINA_BINARY, file.string()}, environment, folder.path / "errors");
+    start("circle.poff");
   }
-  void press(const std::string& keys) const { screen.xdotool("key " + keys); }
-  std::string title() const { return screen.title(); }
-
   void show_only_the_drawing() {
-    const bool is_open = eventually([&] { return title().starts_with("circle.poff - Mesecina"); });
-    INFO("title: " << title() << ", errors: " << bytes_of(folder.path / "errors"));
-    REQUIRE(is_open);
     screen.xdotool("mousemove 640 400");
     press("Tab");
     press("f");
@@ -83,7 +57,7 @@ struct Visit {
     // Fitted: there is a sample where the sample is, in the four directions.
     INFO("the fitted drawing did not appear");
     REQUIRE(eventually([&] {
-      const Screenshot shot = screen.shoot();
+      const Screenshot shot = screen.settled();
       return shot.is_dark(screen_x(kRadius), 400) && shot.is_dark(screen_x(-kRadius), 400) &&
              shot.is_dark(640, screen_y(kRadius)) && shot.is_dark(640, screen_y(-kRadius)) && shot.is_white(3, 3);
     }));
@@ -151,14 +125,14 @@ TEST_CASE("spray, drag, undo and save: the document and the picture follow") {
   for (int i = 1; i < kDraggedSamples; ++i) CHECK(samples[static_cast<std::size_t>(i)] == sample(i));
 
   // What was updated piece by piece on screen is what a new program draws of the saved file.
-  const fs::path reference = session.folder.path / "reference.png";
+  const fs::path reference = session.folder / "reference.png";
   std::string view;
   for (const double value : {-640 / kPxPerUnit, -400 / kPxPerUnit, 640 / kPxPerUnit, 400 / kPxPerUnit})
     view += (view.empty() ? "" : ",") + std::to_string(value);
   Child render({MESECINA_BINARY, "render", session.file.string(), "--layers",
                 "interior-voronoi-disks,curve,medial-axis,points", "--size", "1280x800", "--view=" + view, "-o",
                 reference.string()},
-               session.environment, session.folder.path / "render-errors");
+               {}, session.folder / "render-errors");
   REQUIRE(render.wait() == 0);
   const Screenshot expected = read_picture(reference);
   REQUIRE_FALSE(expected.is_empty());
@@ -175,7 +149,7 @@ TEST_CASE("spray, drag, undo and save: the document and the picture follow") {
   session.press("ctrl+q");
   CHECK(eventually([&] { return !session.program.is_running(); }));
   CHECK(session.program.wait() == 0);
-  CHECK(bytes_of(session.folder.path / "errors").empty());
+  CHECK(bytes_of(session.folder / "errors").empty());
 }
 
 TEST_CASE("words with a line are put on a sample, follow it, are undone, and count as unsaved") {
@@ -291,7 +265,7 @@ TEST_CASE("a ball is drawn, resized with the wheel, and saved to a file of its o
   session.press("ctrl+shift+s");
   REQUIRE(eventually([&] { return !screen.shoot().is_white(3, 300); }));
   session.press("Return");
-  const fs::path balls = session.folder.path / "circle.wpoff";
+  const fs::path balls = session.folder / "circle.wpoff";
   REQUIRE(eventually([&] { return fs::exists(balls); }));
   CHECK(eventually([&] { return session.title().starts_with("circle.wpoff"); }));
   const auto loaded = read_sample_file(balls);
@@ -365,26 +339,25 @@ TEST_CASE("what a clicked sample highlights is kept, undone, and lost with the s
 TEST_CASE("a file that cannot be read is a message, and the document stays") {
   Visit session;
   session.show_only_the_drawing();
-  session.program = Child();
-  std::ofstream(session.folder.path / "bad.poff") << "POFF 3 0 0\n1 2\n3 x\n5 6\n";
-  Child program({MESECINA_BINARY, (session.folder.path / "bad.poff").string()}, session.environment);
+  std::ofstream(session.folder / "bad.poff") << "POFF 3 0 0\n1 2\n3 x\n5 6\n";
+  session.begin("bad.poff");
   const auto is_banner = [](Color c) {
     return std::abs(c.r - 0xFD) < 4 && std::abs(c.g - 0xF1) < 4 && std::abs(c.b - 0xE7) < 4;
   };
   CHECK(eventually([&] { return session.screen.shoot().count(is_banner) > 3000; }));
-  CHECK(program.is_running());
+  CHECK(session.program.is_running());
 }
 
 TEST_CASE("without a display there is one line that names the way without, and exit code 4") {
-  const Folder folder;
+  const TemporaryFolder folder;
   Child program({MESECINA_BINARY},
                 {{"DISPLAY", ""},
                  {"WAYLAND_DISPLAY", ""},
-                 {"XDG_CONFIG_HOME", folder.path.string()},
-                 {"XDG_DATA_HOME", folder.path.string()}},
-                folder.path / "errors");
+                 {"XDG_CONFIG_HOME", folder.path().string()},
+                 {"XDG_DATA_HOME", folder.path().string()}},
+                folder / "errors");
   CHECK(program.wait() == 4);
-  const std::string errors = bytes_of(folder.path / "errors");
+  const std::string errors = bytes_of(folder / "errors");
   CHECK(errors.find("mesecina render") != std::string::npos);
   CHECK(std::count(errors.begin(), errors.end(), '\n') == 1);
 }

@@ -36,6 +36,10 @@ ImU32 faded(ImU32 color, double strength) {
 
 void Presenter::set_on(bool on) {
   is_on_ = on;
+  end_marks();
+}
+
+void Presenter::end_marks() {
   key_at_.reset();
   pointer_at_.reset();
 }

@@ -27,6 +27,8 @@ class Presenter {
   /// Draws over everything; `bundle`: the slide that is shown. A key appears where it hides least, of equal places in
   /// the middle of the lower edge, and stays there.
   void draw(const Gui& gui, const std::string& bundle, const NoteRoom& room, double now);
+  /// Ends both marks at once.
+  void end_marks();
   /// Seconds until a mark begins to fade; 0 while one fades; nothing when none is left.
   std::optional<double> next_due(double now) const;
 
