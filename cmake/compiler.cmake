@@ -29,6 +29,12 @@ if(MESECINA_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
     CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime ${MESECINA_CCACHE})
 endif()
 
+# GCC looks for memory that it can use again when half a GiB is taken, not a quarter of that, which is its own limit: this
+# saves a tenth of the time, and the largest source takes 1.5 GiB instead of 1.4.
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  add_compile_options("SHELL:--param ggc-min-heapsize=524288")
+endif()
+
 # Predicates rely on plain IEEE doubles; release must not carry CGAL's own checks.
 set(CMAKE_CXX_FLAGS_RELEASE "-O2 -DNDEBUG -DCGAL_NDEBUG")
 set(CMAKE_CXX_FLAGS_DEBUG "-O1 -g1")
