@@ -2,22 +2,40 @@
 // Runs a call that takes long on a thread of its own, and delivers its result.
 #pragma once
 
-#include <algorithm>
-#include <atomic>
-#include <cstdint>
-#include <exception>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <stop_token>
-#include <system_error>
-#include <thread>
 #include <utility>
 #include <vector>
 
 #include "app/system/waker.h"
 
 namespace mes {
+
+/// The threads of a `BackgroundJob`, whatever its result is.
+class BackgroundRuns {
+ public:
+  using Call = std::function<std::shared_ptr<void>(const std::stop_token&)>;
+
+  explicit BackgroundRuns(Waker wake);
+  ~BackgroundRuns();
+  BackgroundRuns(const BackgroundRuns&) = delete;
+  BackgroundRuns& operator=(const BackgroundRuns&) = delete;
+
+  void begin(Call call);
+  void give_up();
+  bool is_ending() const;
+  bool is_under_way() const { return run_ != nullptr; }
+  bool has_ended() const;
+  std::shared_ptr<void> finish();
+
+ private:
+  struct Run;
+  Waker wake_;
+  std::unique_ptr<Run> run_;
+  std::vector<std::unique_ptr<Run>> given_up_;
+};
 
 /// Guarantees:
 ///  1. `begin` returns at once. The call runs on a thread of its own, which calls `wake` when the call has ended.
@@ -43,89 +61,30 @@ class BackgroundJob {
  public:
   using Call = std::function<Result(const std::stop_token&)>;
 
-  explicit BackgroundJob(Waker wake) : wake_(std::move(wake)) {}
-  ~BackgroundJob() {
-    if (run_) run_->thread.request_stop();
-  }
-  BackgroundJob(const BackgroundJob&) = delete;
-  BackgroundJob& operator=(const BackgroundJob&) = delete;
+  explicit BackgroundJob(Waker wake) : runs_(std::move(wake)) {}
 
   void begin(Call call) {
-    give_up();
-    std::erase_if(given_up_, [](const auto& run) { return run->is_empty.load(); });
-    auto run = std::make_unique<Run>();
-    run->thread = std::jthread([run = run.get(), call = std::move(call), wake = wake_,
-                                work = wake_.begin_work()](const std::stop_token& stop) mutable {
-      try {
-        run->result.emplace(call(stop));
-      } catch (...) {
-        run->failure = std::current_exception();
-      }
-      auto before = Delivery::awaited;
-      if (!run->delivery.compare_exchange_strong(before, Delivery::ready)) run->drop();
-      run->has_ended = true;
-      work.end();
-      wake();
-    });
-    run_ = std::move(run);
+    runs_.begin(
+        [call = std::move(call)](const std::stop_token& stop) { return std::make_shared<Result>(call(stop)); });
   }
-
-  void give_up() {
-    if (!run_) return;
-    run_->thread.request_stop();
-    Run& run = *run_;
-    given_up_.push_back(std::move(run_));
-    auto before = Delivery::awaited;
-    if (run.delivery.compare_exchange_strong(before, Delivery::unwanted)) return;
-    try {
-      // The run's former thread has finished; the assignment joins it.
-      run.thread = std::jthread([&run] { run.drop(); });
-    } catch (const std::exception&) {
-      run.drop();
-    }
-  }
-
+  void give_up() { runs_.give_up(); }
   /// True while a call that was given up has not ended yet; `wake` is called when it has.
-  bool is_ending() const {
-    return std::ranges::any_of(given_up_, [](const auto& run) { return !run->has_ended; });
-  }
-
+  bool is_ending() const { return runs_.is_ending(); }
   /// True from `begin` until the result is taken.
-  bool is_under_way() const { return run_ != nullptr; }
-
+  bool is_under_way() const { return runs_.is_under_way(); }
   /// True when the result can be taken.
-  bool has_ended() const { return run_ && run_->has_ended; }
+  bool has_ended() const { return runs_.has_ended(); }
   /// The result; nothing while the call runs, or when none is under way.
   std::optional<Result> poll() { return has_ended() ? finish() : std::nullopt; }
-
   /// Waits for the call's end and returns its result; nothing when none is under way.
   std::optional<Result> finish() {
-    if (!run_) return std::nullopt;
-    const std::unique_ptr<Run> run = std::move(run_);
-    run->thread.join();
-    if (run->failure) std::rethrow_exception(run->failure);
-    return std::move(run->result);
+    const std::shared_ptr<void> result = runs_.finish();
+    if (!result) return std::nullopt;
+    return std::move(*static_cast<Result*>(result.get()));
   }
 
  private:
-  enum class Delivery : std::uint8_t { awaited, ready, unwanted };
-  struct Run {
-    std::atomic<bool> has_ended = false;
-    std::atomic<Delivery> delivery = Delivery::awaited;
-    std::atomic<bool> is_empty = false;  // the result has been destroyed
-    std::optional<Result> result;
-    std::exception_ptr failure;
-    void drop() {
-      result.reset();
-      failure = nullptr;
-      is_empty = true;
-    }
-    std::jthread thread;  // last: joined before the members it writes to are destroyed
-  };
-
-  Waker wake_;
-  std::unique_ptr<Run> run_;
-  std::vector<std::unique_ptr<Run>> given_up_;
+  BackgroundRuns runs_;
 };
 
 }  // namespace mes
