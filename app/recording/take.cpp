@@ -15,6 +15,7 @@
 #include "core/base/carried_session.h"
 #include "core/io/carried_session.h"
 #include "core/io/files/read_file.h"
+#include "core/io/session/json_text.h"
 
 namespace mes {
 namespace {
@@ -68,7 +69,7 @@ Expected<Manifest> read_manifest(const fs::path& file) {
   std::error_code error;
   if (!fs::exists(file, error)) return Manifest{};
   const auto bytes = read_regular_file(file);
-  const json object = bytes ? json::parse(*bytes, nullptr, false) : json();
+  const json object = bytes ? parse_json(*bytes) : json();
   if (!object.is_object())
     return std::unexpected(Error{ErrorCode::bad_input, "not a manifest of a take", file.string()});
   if (value_of(object, "schema", 0) != kTakeSchema)
@@ -143,8 +144,7 @@ std::string manifest_text(const Manifest& manifest) {
   if (!manifest.problem.empty()) object["problem"] = manifest.problem;
   if (!manifest.session.empty()) object[std::string(kCarriedSession)] = base64(manifest.session);
   // The kind of the file comes first, where readers look for it.
-  return std::string(kManifestBeginning) + object.dump(1, ' ', false, json::error_handler_t::replace).substr(1) +
-         '\n';
+  return std::string(kManifestBeginning) + json_text(object, 1).substr(1) + '\n';
 }
 
 Expected<Manifest> read_take(const fs::path& folder) {

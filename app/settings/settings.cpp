@@ -11,6 +11,7 @@
 
 #include "app/system/data_folder.h"
 #include "core/io/files/atomic_file.h"
+#include "core/io/session/json_text.h"
 
 namespace mes {
 namespace {
@@ -293,7 +294,7 @@ LoadedSettings load_settings(const fs::path& path) {
   std::ostringstream bytes;
   bytes << stream.rdbuf();
   if (!stream) return {Settings{}, path.string() + " cannot be read; started with the defaults"};
-  const json parsed = json::parse(bytes.str(), nullptr, false);
+  const json parsed = parse_json(bytes.str());
   if (parsed.is_discarded()) return {Settings{}, set_aside(path, "not JSON")};
   if (!parsed.is_object()) return {Settings{}, set_aside(path, "not a JSON object")};
   if (number_in(parsed, "schema", 0, 1'000'000, 0) != kSchema)
@@ -375,7 +376,7 @@ Expected<void> save_settings(const Settings& settings, const fs::path& path) {
   if (fs::exists(path, error) && !fs::is_regular_file(path, error))
     return std::unexpected(Error{ErrorCode::cannot_write, "this is not a file", path.string()});
   // File names may contain any bytes; those that are not UTF-8 are replaced instead of refused.
-  return write_file_atomically(path, to_json(settings).dump(2, ' ', false, json::error_handler_t::replace) + '\n');
+  return write_file_atomically(path, json_text(to_json(settings), 2) + '\n');
 }
 
 }  // namespace mes

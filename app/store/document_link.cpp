@@ -9,6 +9,8 @@
 #include <unordered_set>
 #include <utility>
 
+#include "core/io/session/json_text.h"
+
 namespace mes {
 namespace {
 
@@ -284,7 +286,7 @@ Expected<std::string> DocumentLink::take(std::string_view line, Editor& editor, 
   make(change, json.value("name", std::string("Edit")), editor);
   take_over(change.settings, agreed_.settings);
   take_over(change.settings, settings);
-  return Json{{"made", number_}}.dump();
+  return json_text(Json{{"made", number_}});
 }
 
 // Indices of elements that were removed here meanwhile are skipped.
@@ -367,7 +369,7 @@ std::optional<std::string> DocumentLink::propose(const Editor& editor, const Set
   change["name"] = editor.can_undo() ? editor.undo_name() : "Edit";
   put_in_agreed_order(agreed_.balls, now.balls, now.disks);
   proposed_ = std::move(now);
-  return change.dump();
+  return json_text(change);
 }
 
 }  // namespace mes

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/store/lessons.h"
 
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "app/playing/demo.h"
 #include "core/graph/registry.h"
+#include "core/io/files/read_file.h"
 #include "core/io/format.h"
+#include "core/io/session/json_text.h"
 
 namespace mes {
 
@@ -15,8 +16,8 @@ namespace fs = std::filesystem;
 std::vector<ShippedLesson> read_shipped_lessons(const fs::path& assets) {
   std::vector<ShippedLesson> out;
   if (assets.empty()) return out;
-  std::ifstream stream(assets / "lessons" / "index.json", std::ios::binary);
-  nlohmann::json index = nlohmann::json::parse(stream, nullptr, false);
+  const auto bytes = read_regular_file(assets / "lessons" / "index.json");
+  nlohmann::json index = bytes ? parse_json(*bytes) : nlohmann::json();
   if (!index.is_array()) index = nlohmann::json::array();
   for (const nlohmann::json& entry : index) {
     if (!entry.is_object() || !entry.value("file", nlohmann::json()).is_string()) continue;

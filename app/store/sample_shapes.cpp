@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/store/sample_shapes.h"
 
-#include <fstream>
 #include <nlohmann/json.hpp>
+
+#include "core/io/files/read_file.h"
+#include "core/io/session/json_text.h"
 
 namespace mes {
 
@@ -11,8 +13,8 @@ namespace fs = std::filesystem;
 std::vector<SampleShape> read_sample_shapes(const fs::path& assets) {
   std::vector<SampleShape> out;
   if (assets.empty()) return out;
-  std::ifstream stream(assets / "shapes" / "index.json", std::ios::binary);
-  const nlohmann::json index = nlohmann::json::parse(stream, nullptr, false);
+  const auto bytes = read_regular_file(assets / "shapes" / "index.json");
+  const nlohmann::json index = bytes ? parse_json(*bytes) : nlohmann::json();
   if (!index.is_array()) return out;
   const auto text = [](const nlohmann::json& entry, const char* key) {
     const auto found = entry.find(key);

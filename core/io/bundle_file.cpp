@@ -93,7 +93,7 @@ std::string write_bundles(std::span<const Bundle> bundles) {
   }
   // The identifying key must be first: the detection looks for it there.
   nlohmann::ordered_json out = {{"mesecina", "bundles"}, {"schema", kSchema}, {"bundles", std::move(list)}};
-  return out.dump(1, ' ', false, json::error_handler_t::replace) + '\n';
+  return json_text(out, 1) + '\n';
 }
 
 bool looks_like_bundles(std::string_view bytes) {

@@ -17,6 +17,7 @@
 #include "core/draw/layer_digest.h"
 #include "core/engine/sampling_verdict.h"
 #include "core/graph/registry.h"
+#include "core/io/session/json_text.h"
 #include "core/io/systems/map_conversion.h"
 
 namespace mes::cli {
@@ -150,7 +151,7 @@ Expected<void> run_compute(const Registry& registry, const ComputeRequest& reque
   }
   out["diagnostics"] = diagnostics_of(result->nodes);
   // A file name need not be valid UTF-8, but JSON must be.
-  const std::string text = out.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+  const std::string text = json_text(out, 2) + '\n';
   return write_output(request.output, text, interruption, {file.sources, request.force});
 }
 

@@ -22,6 +22,7 @@
 #include "core/graph/structure.h"
 #include "core/graph/table_columns.h"
 #include "core/io/format_spec.h"
+#include "core/io/session/json_text.h"
 #include "core/io/text/text_numbers.h"
 #include "core/shapes/shape.h"
 
@@ -371,7 +372,7 @@ Expected<void> run_list(const Registry& registry, const ListRequest& request, In
     if (!request.as_json) return write_output({}, table_of(entries), interruption);
     Json out = Json::array();
     for (const Entry& entry : entries) out.push_back(entry.json);
-    return write_output({}, out.dump(2, ' ', false, Json::error_handler_t::replace) + '\n', interruption);
+    return write_output({}, json_text(out, 2) + '\n', interruption);
   }
   return usage_error("cannot list " + in_quotes(request.what) + "; it is one of " + one_of(names));
 }

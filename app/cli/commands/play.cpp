@@ -11,6 +11,7 @@
 #include "app/playing/player.h"
 #include "core/draw/layer_mirror.h"
 #include "core/graph/registry.h"
+#include "core/io/session/json_text.h"
 
 namespace mes::cli {
 namespace {
@@ -56,7 +57,7 @@ Expected<void> run_play(const Registry& registry, const PlayRequest& request, In
     }
     line["layers"] = whole.text();
     line["digests"] = std::move(digests);
-    out += line.dump() + '\n';
+    out += json_text(line) + '\n';
   }
   return write_output("", out, interruption);
 }

@@ -5,12 +5,14 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "core/io/session/json_text.h"
+
 namespace mes {
 namespace {
 
 // All digits, for programs.
 std::string exactly(const StatValue& value) {
-  return std::visit([](const auto& v) { return nlohmann::json(v).dump(); }, value);
+  return std::visit([](const auto& v) { return json_text(nlohmann::json(v)); }, value);
 }
 
 }  // namespace
@@ -66,7 +68,7 @@ std::string statistics_as_json(std::span<const NodeReport> nodes) {
   nlohmann::ordered_json out = nlohmann::ordered_json::object();
   for (const NodeReport& node : nodes)
     if (node.state != NodeState::inactive) out[node.structure] = json_of(node, true);
-  return out.dump(2) + '\n';
+  return json_text(out, 2) + '\n';
 }
 
 }  // namespace mes

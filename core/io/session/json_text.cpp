@@ -122,6 +122,18 @@ Expected<void> check_json(std::string_view text, const std::string& file, ReadJo
   return bad_json(text, listener.bytes_read == 0 ? 0 : listener.bytes_read - 1, "this is not JSON", file);
 }
 
+nlohmann::json parse_json(std::string_view text) {
+  return json::parse(text, nullptr, false);
+}
+
+std::string json_text(const nlohmann::json& value, int indent) {
+  return value.dump(indent, ' ', false, json::error_handler_t::replace);
+}
+
+std::string json_text(const nlohmann::ordered_json& value, int indent) {
+  return value.dump(indent, ' ', false, json::error_handler_t::replace);
+}
+
 std::string_view take_json_text(std::string_view& rest) {
   constexpr std::string_view kBetween = " \t\r\n\x1e";
   rest.remove_prefix(std::min(rest.find_first_not_of(kBetween), rest.size()));

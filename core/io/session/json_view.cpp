@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/assert.h"
+#include "core/io/session/json_text.h"
 #include "core/io/text/text_numbers.h"
 
 namespace mes {
@@ -78,7 +79,7 @@ std::optional<std::uint64_t> JsonView::count() const {
 }
 
 std::string JsonView::text() const {
-  if (text_.find('\\') != std::string_view::npos) return nlohmann::json::parse(text_).get<std::string>();
+  if (text_.find('\\') != std::string_view::npos) return parse_json(text_).get<std::string>();
   return std::string(text_.substr(1, text_.size() - 2));
 }
 

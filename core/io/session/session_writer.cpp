@@ -11,6 +11,7 @@
 #include "core/io/session/json_curves.h"
 #include "core/io/session/json_layers.h"
 #include "core/io/session/json_panes.h"
+#include "core/io/session/json_text.h"
 #include "core/io/session/session.h"
 
 namespace mes {
@@ -205,22 +206,17 @@ json head_of(const Session& session) {
   return out;
 }
 
-// File names and titles may be any bytes; those that are not UTF-8 are replaced rather than refused.
-std::string text_of(const json& value) {
-  return value.dump(-1, ' ', false, json::error_handler_t::replace);
-}
-
 // One step a line if `is_spread`; empty without a lesson. Begins with a comma because it follows another key.
 std::string lesson_text(const Lesson& lesson, bool is_spread) {
   if (lesson == Lesson{}) return {};
   const std::string_view line = is_spread ? "\n" : "";
   std::string out = fmt::format(",{}\"lesson\":{{", line);
-  if (!lesson.title.empty()) out += "\"title\":" + text_of(lesson.title) + ',';
+  if (!lesson.title.empty()) out += "\"title\":" + json_text(json(lesson.title)) + ',';
   out += "\"steps\":[";
   for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
     if (i != 0) out += ',';
     out += line;
-    out += text_of(to_json(lesson.steps[i]));
+    out += json_text(to_json(lesson.steps[i]));
   }
   return out + "]}";
 }
@@ -228,7 +224,7 @@ std::string lesson_text(const Lesson& lesson, bool is_spread) {
 // Other keys are sorted; the identifying key is first nevertheless.
 constexpr std::string_view kHeadBegin = R"({"mesecina":"session","schema":)";
 std::string head_text(const Session& session, std::uint64_t schema) {
-  return fmt::format("{}{},", kHeadBegin, schema) + text_of(head_of(session)).substr(1);
+  return fmt::format("{}{},", kHeadBegin, schema) + json_text(head_of(session)).substr(1);
 }
 
 std::uint64_t entry_schema(const TimelineEntry& entry) {
@@ -252,7 +248,7 @@ std::string write_session(const Session& session) {
     const TimelineEntry entry = session.entries[i];
     schema = std::max(schema, entry_schema(entry));
     out += i == 0 ? "\n" : ",\n";
-    out += text_of(to_json(entry));
+    out += json_text(to_json(entry));
   }
   // The schema is known only now; it is one digit, like the zero that it replaces.
   static_assert(kSessionSchema < 10);
@@ -267,7 +263,7 @@ std::string write_journal_head(const Session& session) {
 }
 
 std::string write_journal_line(const TimelineEntry& entry) {
-  return text_of(to_json(entry)) + '\n';
+  return json_text(to_json(entry)) + '\n';
 }
 
 std::string write_journal_saved() {
