@@ -30,7 +30,7 @@ set(rooms
   "core/io: core/base core/curves core/raster core/document core/io/text core/io/files core/io/systems core/io/xml core/io/session"
   "core/io/drawings: core/base core/curves core/io/text core/io/xml core/io"
   "core/io/svg: core/base core/curves core/io/text core/io/xml core/io"
-  "core/io/maps: core/base core/curves core/io/text core/io/files core/io/systems core/io/xml core/io/session core/io"
+  "core/io/maps: core/base core/kernel core/curves core/io/text core/io/files core/io/systems core/io/xml core/io/session core/io"
   "core/io/meshes: core/base core/curves core/io/text core/io/files core/io"
   "core/io/tables: core/base core/document core/io/text core/io/files core/io core/io/meshes"
   "core/shapes: core/base core/formula core/curves core/document"

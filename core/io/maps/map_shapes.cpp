@@ -6,16 +6,19 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <set>
 #include <span>
 #include <utility>
 
 #include "core/base/geometry/box2.h"
+#include "core/base/geometry/box_tree.h"
 #include "core/curves/joined_ends.h"
 #include "core/curves/resolution.h"
 #include "core/io/curve_samples.h"
 #include "core/io/systems/chosen_plane.h"
 #include "core/io/systems/map_conversion.h"
+#include "core/kernel/point_predicates.h"
 
 namespace mes {
 namespace {
@@ -55,6 +58,44 @@ std::optional<EllipticArc> arc_through(Vec2 from, Vec2 through, Vec2 to) {
   if (turn < 0.0 && sweep >= 0.0) sweep -= kTurn;
   return about(center, from, sweep);
 }
+
+/// Tells on which side of a ring points lie, in O(log n) where few sides have one height.
+class RingSides {
+ public:
+  explicit RingSides(std::span<const Vec2> ring) : ring_(ring) {
+    std::vector<std::uint32_t> numbers(ring.size());
+    std::iota(numbers.begin(), numbers.end(), 0U);
+    tree_.build(
+        std::span<const std::uint32_t>(numbers),
+        [this](std::uint32_t i) {
+          return TreeBounds{box_of(std::array{ring_[i], next(i)})};
+        },
+        [](std::uint32_t, std::uint32_t) {});
+  }
+  /// 1: enclosed an odd number of times; 0: on the ring; -1: neither.
+  int place_of(Vec2 p) const {
+    bool is_inside = false;
+    bool is_on = false;
+    const auto meets_ray = [p](const Box2& box, double) {
+      return box.low.y <= p.y && p.y <= box.high.y && p.x <= box.high.x;
+    };
+    tree_.visit_where(meets_ray, [&](std::uint32_t i) {
+      Vec2 low = ring_[i];
+      Vec2 high = next(i);
+      if (high.y < low.y) std::swap(low, high);
+      const int turn = orientation(low, high, p);
+      is_on = is_on || (turn == 0 && box_of(std::array{low, high}).contains(p));
+      if (low.y <= p.y && p.y < high.y && turn > 0) is_inside = !is_inside;
+    });
+    return is_on ? 0 : is_inside ? 1 : -1;
+  }
+
+ private:
+  Vec2 next(std::uint32_t i) const { return ring_[i + 1 < ring_.size() ? i + 1 : 0]; }
+
+  std::span<const Vec2> ring_;
+  BoxTree<std::uint32_t> tree_;
+};
 
 }  // namespace
 
@@ -295,6 +336,27 @@ void MapShapes::unroll(double half_turn) {
   }
 }
 
+std::size_t MapShapes::holes_outside() const {
+  if (!arcs_.empty() || std::ranges::none_of(parts_, &Part::is_hole)) return 0;
+  std::size_t out = 0;
+  std::size_t begin = 0;
+  std::span<const Vec2> shell;
+  std::optional<RingSides> sides;
+  for (const Part& part : parts_) {
+    const auto ring = std::span(positions_).subspan(begin, part.end - begin);
+    begin = part.end;
+    if (part.kind == Kind::ring && !part.is_hole) {
+      shell = ring;
+      sides.reset();
+    } else if (part.is_hole) {
+      if (!sides) sides.emplace(shell);
+      const auto is_at = [&](int place) { return [&, place](Vec2 p) { return sides->place_of(p) == place; }; };
+      if (std::ranges::none_of(ring, is_at(1)) && std::ranges::any_of(ring, is_at(-1))) ++out;
+    }
+  }
+  return out;
+}
+
 // A hole that repeats an outer ring in the same direction would be dropped as a duplicate; in the other direction it is
 // the border of both.
 void MapShapes::turn_filled_holes(std::vector<PlaneCurve>& curves) const {
@@ -337,11 +399,19 @@ Expected<LoadedFile> MapShapes::load(const std::string& name, ReadJob& job) && {
   std::string remark;
   const auto system = system_of_positions(remark);
   if (!system) return refused(system.error());
+  const auto remark_on_holes = [&, count = holes_outside()](LoadedFile& file) {
+    if (count == 0) return;
+    const std::string text = count == 1
+                                 ? "1 hole lies outside its polygon, and encloses a shape"
+                                 : fmt::format("{} holes lie outside their polygons, and enclose shapes", count);
+    file.warnings.push_back(Error{ErrorCode::bad_input, text, name}.message());
+  };
   if (!*system || positions_.empty()) {
     MapPlacement in_plane;
     auto file = load_samples(curves(in_plane, job), name, job);
     if (file && !remark.empty())
       file->warnings.insert(file->warnings.begin(), Error{ErrorCode::bad_input, remark, name}.message());
+    if (file) remark_on_holes(*file);
     return file;
   }
   const Turns turns = (*system)->is_geographic ? this->turns((*system)->half_turn()) : Turns{};
@@ -364,6 +434,7 @@ Expected<LoadedFile> MapShapes::load(const std::string& name, ReadJob& job) && {
   if ((*system)->is_geographic) file->degrees = degrees_;
   // This is the first warning because the window offers there to change the treatment of degrees.
   file->warnings.insert(file->warnings.begin(), Error{ErrorCode::bad_input, chosen->remark, name}.message());
+  remark_on_holes(*file);
   return file;
 }
 

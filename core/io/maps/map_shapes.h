@@ -99,6 +99,8 @@ class MapShapes {
   /// Lets lines and rings with sides across the 180th meridian go on beyond it, if they are then less than half a turn
   /// wide. A map of the world is not joined there as a whole.
   void unroll(double half_turn);
+  /// Holes that lie outside their polygon, without those of maps with arcs.
+  std::size_t holes_outside() const;
   void turn_filled_holes(std::vector<PlaneCurve>& curves) const;
 
   MapDegrees degrees_;

@@ -84,6 +84,29 @@ TEST_CASE("a line that ends where it begins is a ring") {
   CHECK(read_map("LINESTRING (0 0, 1 0, 0 0)").data.contours == Contours{{false, {0, 1}}});
 }
 
+TEST_CASE("holes that lie outside their polygon are told of") {
+  const auto told = [](const std::string& text) {
+    const LoadedFile file = read_map(text);
+    return file.warnings.empty() ? std::string() : file.warnings.back();
+  };
+  const std::string square = "POLYGON ((0 0, 8 0, 8 8, 4 8, 4 4, 0 4, 0 0)";  // an L
+  CHECK(told(square + ", (5 5, 7 5, 7 7, 5 5))").empty());
+  // In the box, but not in the L; one vertex lies on the outline.
+  CHECK_THAT(told(square + ", (1 4, 3 5, 3 7, 1 4))"), Catch::Contains("1 hole lies outside its polygon"));
+  CHECK_THAT(told(square + ", (5 5, 7 5, 7 7, 5 5), (9 0, 10 0, 10 1, 9 0), (1 5, 2 5, 2 6, 1 5))"),
+             Catch::Contains("2 holes lie outside their polygons"));
+  // A hole that touches the outline from inside, that crosses it, or that repeats it, does not lie outside.
+  CHECK(told(square + ", (0 0, 2 1, 1 2, 0 0))").empty());
+  CHECK(told(square + ", (1 3, 3 3, 3 6, 1 3))").empty());
+  CHECK(told(square + ", (0 0, 8 0, 8 8, 4 8, 4 4, 0 4, 0 0))").empty());
+  CHECK(told("MULTIPOLYGON (((0 0, 4 0, 4 4, 0 4, 0 0), (1 1, 2 1, 2 2, 1 1)), "
+             "((10 0, 14 0, 14 4, 10 4, 10 0), (11 1, 12 1, 12 2, 11 1)))")
+            .empty());
+  CHECK_THAT(
+      told(R"({"type":"Polygon","coordinates":[[[8,50],[9,50],[9,51],[8,50]],[[9,51],[9.5,51],[9.5,51.5],[9,51]]]})"),
+      Catch::Contains("1 hole lies outside its polygon"));
+}
+
 TEST_CASE("WKT is in the plane unless it names degrees") {
   CHECK(read_map("POINT (30 60)").data.positions == std::vector<Vec2>{{30, 60}});
   CHECK(read_map("SRID=3857;POINT (30 60)").data.positions == std::vector<Vec2>{{30, 60}});
