@@ -332,7 +332,7 @@ Expected<void> run_centerline(const Registry& registry, const CenterlineRequest&
   {
     Progress progress;
     if (request.are_features_apart) {
-      const auto list = read_features(registry, request.file, request.from);
+      const auto list = read_features(registry, request.file, request.from, !request.reading.system.empty());
       if (!list) return std::unexpected(list.error());
       sources = list->sources;
       if (auto done = process_features(registry, request, *job, *list, progress, result); !done) return done;

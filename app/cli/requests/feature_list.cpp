@@ -10,6 +10,7 @@
 #include <system_error>
 #include <utility>
 
+#include "app/cli/console/messages.h"
 #include "core/graph/registry.h"
 #include "core/io/files/read_file.h"
 #include "core/io/format_spec.h"
@@ -99,7 +100,8 @@ std::span<const std::string_view> feature_formats() {
   return kFormats;
 }
 
-Expected<FeatureList> read_features(const Registry& registry, const std::string& file, std::string_view format) {
+Expected<FeatureList> read_features(const Registry& registry, const std::string& file, std::string_view format,
+                                    bool has_system) {
   auto bytes = file == "-" ? read_whole(STDIN_FILENO, file) : read_whole(file);
   if (!bytes) return std::unexpected(bytes.error());
   FeatureList out;
@@ -123,6 +125,14 @@ Expected<FeatureList> read_features(const Registry& registry, const std::string&
     const std::size_t begin = without_bom(*bytes).find_first_not_of(kBlanks);
     if (is_for_gdal(*bytes)) {
       const std::filesystem::path path = file;
+      if (is_in("shapefile") && file == "-")
+        return std::unexpected(Error{
+            ErrorCode::bad_input, "the attributes of a shapefile lie in files beside it, which are not there", file});
+      if (is_in("shapefile")) {
+        const auto remark = check_shapefile(*bytes, file, path, has_system);
+        if (!remark) return std::unexpected(remark.error());
+        if (!remark->empty()) say(*remark);
+      }
       bytes = geojson_by_gdal(*bytes, file, file == "-" ? nullptr : &path, nullptr);
       if (!bytes) return std::unexpected(bytes.error());
     } else if (begin == std::string_view::npos || without_bom(*bytes)[begin] != '{') {

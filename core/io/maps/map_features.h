@@ -2,6 +2,7 @@
 // The features of a map, each as a map of its own in the same format, with its attributes.
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,5 +26,12 @@ Expected<std::vector<MapFeature>> kml_features(std::string_view bytes, const std
 /// The geometries of WKT, which have neither ids nor properties. Never fails: a feature ends where its parentheses are
 /// closed. Other text is a feature up to the end of its line, which the reader of WKT refuses.
 std::vector<MapFeature> wkt_features(std::string_view bytes);
+
+/// Checks what GDAL does not say, or says in words of its own, of the shapefile at `path`. Returns a remark on its
+/// coordinate system, which may be empty. `has_system`: the system is chosen, so that its `.prj` does not count. Error:
+/// `bad_input`, if it ends before the end that its header tells, has no `.shx` beside it, or a `.prj` that is no
+/// coordinate system.
+Expected<std::string> check_shapefile(std::string_view bytes, const std::string& name,
+                                      const std::filesystem::path& path, bool has_system);
 
 }  // namespace mes

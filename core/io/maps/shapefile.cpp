@@ -14,7 +14,9 @@
 #include "core/base/lower_case.h"
 #include "core/io/files/read_file.h"
 #include "core/io/format_spec.h"
+#include "core/io/maps/map_features.h"
 #include "core/io/maps/map_shapes.h"
+#include "core/io/systems/coordinate_system.h"
 #include "core/io/text/counted_remarks.h"
 #include "core/io/text/text_numbers.h"
 
@@ -272,6 +274,29 @@ Expected<LoadedFile> read_shapefile(std::string_view bytes, const std::string& n
 }
 
 }  // namespace
+
+Expected<std::string> check_shapefile(std::string_view bytes, const std::string& name,
+                                      const std::filesystem::path& path, bool has_system) {
+  constexpr std::size_t kLengthPlace = 24;  // in words of two bytes
+  const std::uint64_t length =
+      bytes.size() < kFileHeader ? std::uint64_t{kFileHeader} : std::uint64_t{2} * big(bytes, kLengthPlace);
+  if (length > bytes.size())
+    return bad_input(fmt::format("the file ends at byte {}, and its header tells of {}", bytes.size(), length), name,
+                     0, 0);
+  const auto has_beside = [&](const char* extension) {
+    std::error_code error;
+    return std::filesystem::exists(std::filesystem::path(path).replace_extension(extension), error);
+  };
+  if (!has_beside(".shx") && !has_beside(".SHX"))
+    return bad_input("its attributes cannot be read without the .shx file that belongs beside it", name, 0, 0);
+  if (has_system) return std::string();
+  const auto system = read_system_beside(path);
+  if (!system) return std::unexpected(system.error());
+  if (!system->text.empty())
+    if (const auto known = find_coordinate_system(system->text); !known)
+      return bad_input(known.error().text, system->source->path.string(), 0, 0);
+  return system->remark;
+}
 
 Format shapefile_format() {
   return {.descriptor =

@@ -298,6 +298,34 @@ TEST_CASE("a DXF in space has heights for others") {
   for (const Json& place : places) CHECK(place[2].get<double>() == Approx(100.0).margin(0.1));
 }
 
+TEST_CASE("a shapefile that is cut short or lacks what belongs beside it is one line") {
+  const TemporaryFolder folder;
+  const std::string file = parcels_as(folder, "a.shp");
+  const std::string shapes = contents_of(file);
+  const std::string system = contents_of(folder / "a.prj");
+  const std::vector<std::string> command{"centerline", file, "--each"};
+  folder.write("a.shp", shapes.substr(0, shapes.size() - 60));
+  CHECK_THAT(map_fault(3, command),
+             Catch::Contains("a.shp: the file ends at byte " + std::to_string(shapes.size() - 60) +
+                             ", and its header tells of " + std::to_string(shapes.size())));
+  folder.write("a.shp", shapes);
+  folder.write("a.prj", "garbage");
+  CHECK_THAT(map_fault(3, command), Catch::Contains("a.prj:1:1: this is not the well-known text"));
+  CHECK(run(with(command, {"--crs", "EPSG:25832"})).exit_code == 0);
+  folder.write("a.prj", "PROJCS[\"of nowhere\"]");
+  CHECK_THAT(map_fault(3, command), Catch::Contains("a.prj: "));
+  folder.write("a.prj", "");
+  const RunResult plain = run(command);
+  CHECK(plain.exit_code == 0);
+  CHECK_THAT(plain.err, Catch::Contains("a.prj: the file is empty; coordinates are taken as they are"));
+  folder.write("a.prj", system);
+  CHECK(run(command).exit_code == 0);
+  std::filesystem::remove(folder / "a.shx");
+  CHECK_THAT(map_fault(3, command), Catch::Contains("a.shp: its attributes cannot be read without the .shx file"));
+  CHECK_THAT(map_fault(3, {"centerline", "-", "--each"}, shapes),
+             Catch::Contains("-: the attributes of a shapefile"));
+}
+
 TEST_CASE("a map that GDAL cannot read is one line") {
   const TemporaryFolder folder;
   const std::string package = contents_of(parcels_as(folder, "a.gpkg"));
