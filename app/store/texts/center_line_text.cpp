@@ -37,7 +37,7 @@ std::string CenterLineTotals::text(const std::optional<MapPlane>& map, std::uint
   std::string out = fmt::format("{} of length {:.6g}{} in all, width {:.6g} to {:.6g}{}",
                                 lines == 1 ? "1 line" : fmt::format("{} lines", lines), length.value(), unit,
                                 widths.least, widths.largest, unit);
-  if (stations != 0) out += fmt::format(", {} stations", stations);
+  if (stations != 0) out += stations == 1 ? ", 1 station" : fmt::format(", {} stations", stations);
   if (points != 0)
     out += fmt::format("; {} no line, since {} pruned axis is a point",
                        points == 1 ? "1 shape has" : fmt::format("{} shapes have", points),

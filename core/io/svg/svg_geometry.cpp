@@ -41,8 +41,9 @@ void SvgGeometry::finish(const JobControl* job) {
 }
 
 void SvgElements::remark_ignored(std::string_view attribute, pugi::xml_node node, std::string_view value) {
-  remark(fmt::format("value of {} is ignored, which is none", attribute),
-         fmt::format("values of {} are ignored, which are none", attribute), source_.place_of(node, value, 0));
+  remark(fmt::format("value of {} is not understood, and is ignored", attribute),
+         fmt::format("values of {} are not understood, and are ignored", attribute),
+         source_.place_of(node, value, 0));
 }
 
 std::optional<double> SvgElements::length_of(pugi::xml_node node, std::string_view name, std::string_view text,

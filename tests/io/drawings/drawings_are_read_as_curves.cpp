@@ -223,8 +223,9 @@ TEST_CASE("what is left out is said once a kind, with the place of the first") {
   CHECK(read.warnings[1] == "a.svg:4:2: 1 image element is left out");
   CHECK_THAT(read.warnings[2], Catch::StartsWith("a.svg:6:2: 1 use element is left out"));
   CHECK_THAT(read.warnings[3], Catch::StartsWith("a.svg:8:6: 1 list of coordinates is read up to a fault"));
-  CHECK_THAT(read.warnings[4], Catch::StartsWith("a.svg:9:13: 1 value of r is ignored"));
-  CHECK_THAT(read.warnings[5], Catch::StartsWith("a.svg:10:16: 1 value of transform is ignored"));
+  CHECK_THAT(read.warnings[4], Catch::StartsWith("a.svg:9:13: 1 value of r is not understood, and is ignored"));
+  CHECK_THAT(read.warnings[5],
+             Catch::StartsWith("a.svg:10:16: 1 value of transform is not understood, and is ignored"));
   CHECK(read.curves.curves.size() == 2);
 }
 
