@@ -15,6 +15,7 @@
 #include "core/curves/curve.h"
 #include "core/resampling/resampling.h"
 #include "core/structures/outline/outline_center_lines.h"
+#include "core/structures/outline/outline_sides.h"
 #include "core/workbench/workbench.h"
 
 namespace mes {
@@ -104,6 +105,20 @@ Expected<SampleData> samples_for_center_lines(const SampleData& data, JobControl
   }
   taken->data.map = data.map;
   return std::move(taken->data);
+}
+
+std::string remark_on_outlines(const SampleData& data, JobControl& job) {
+  if (!data.source || !data.source->curves) return {};
+  const OutlineFaults faults = faults_of_outlines(data.source->curves->curves, job);
+  std::string out;
+  if (faults.crossings != 0)
+    out = fmt::format("sides of outlines cross {}, and what an even number of outlines encloses counts as outside",
+                      faults.crossings == 1 ? "once" : fmt::format("{} times", faults.crossings));
+  if (faults.repeated != 0)
+    out += fmt::format("{}outlines run along {} of their own again, and such sides may bound nothing",
+                       out.empty() ? "" : "; ",
+                       faults.repeated == 1 ? "a side" : fmt::format("{} sides", faults.repeated));
+  return out;
 }
 
 Expected<CenterLines> compute_center_lines(const Registry& registry, const SampleData& data,

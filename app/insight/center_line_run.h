@@ -36,6 +36,10 @@ inline constexpr std::size_t kMostOutlineSamples = 250'000;
 /// of these cases. Error: `bad_input`, if no outline remains. Throws `Cancelled`.
 Expected<SampleData> samples_for_center_lines(const SampleData& data, JobControl& job, std::string& remark);
 
+/// A sentence on how the outlines of the data run over themselves and each other; empty if they do not, or are curved.
+/// Throws `Cancelled`.
+std::string remark_on_outlines(const SampleData& data, JobControl& job);
+
 /// Error: `usage` if the wish names ends and no line joins any; `cannot_compute` if a structure failed, or there is no
 /// line, with the reason. Throws `Cancelled`. `on_task` is called with the id of each structure before it begins.
 Expected<CenterLines> compute_center_lines(const Registry& registry, const SampleData& data,

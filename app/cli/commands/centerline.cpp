@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <map>
 #include <mutex>
 #include <optional>
 #include <set>
@@ -261,23 +262,57 @@ Expected<FoundLines> find_lines(const Registry& registry, const CenterlineJob& j
 Expected<void> take_lines(const CenterlineJob& job, const Expected<FoundLines>& found, const std::string& name,
                           const Feature& feature, CenterlineResult& out) {
   if (!found) return std::unexpected(found.error());
-  if (!found->remark.empty()) say(name + ": " + found->remark);
   if (auto done = add_lines(job, found->lines, found->map, feature, out); !done) return in_file(done.error(), name);
   return {};
 }
+
+/// Remarks on features, one for each kind: they are of one kind if they differ in names and numbers alone.
+class FeatureRemarks {
+ public:
+  void add(const std::string& name, const std::string& remark) {
+    const bool is_named = remark.starts_with(name);
+    std::string kind;
+    for (const char c : std::string_view(remark).substr(is_named ? name.size() : 0))
+      if (!std::string_view("0123456789.-:").contains(c)) kind += c;
+    const auto [number, is_new] = numbers_.try_emplace(std::move(kind), remarks_.size());
+    if (is_new)
+      remarks_.push_back({is_named ? remark : name + ": " + remark});
+    else
+      ++remarks_[number->second].others;
+  }
+  void say_all() const {
+    for (const auto& [text, others] : remarks_)
+      say(text + (others == 0   ? ""
+                  : others == 1 ? "; likewise another feature"
+                                : fmt::format("; likewise {} other features", others)));
+  }
+
+ private:
+  struct Remark {
+    std::string text;  // of the first feature
+    std::size_t others = 0;
+  };
+  std::map<std::string, std::size_t> numbers_;
+  std::vector<Remark> remarks_;
+};
 
 /// Each feature by itself, on all cores, with lines and messages in the order of the features. Error: no feature has a
 /// line.
 Expected<void> process_features(const Registry& registry, const CenterlineRequest& request, const CenterlineJob& job,
                                 const FeatureList& list, Progress& progress, CenterlineResult& out) {
   std::vector<Expected<FoundLines>> found(list.features.size());
+  std::vector<std::vector<std::string>> warnings(found.size());
   for (const Feature& feature : list.features) out.taken.insert(feature.keys.begin(), feature.keys.end());
   std::mutex progress_mutex;
   std::size_t finished = 0;
   run_tasks(list.features.size(), [&](std::size_t i) {
     const Feature& feature = list.features[i];
-    const auto loaded = read_input_bytes(registry, feature.text, feature.name, feature.format, request.reading);
+    auto loaded = read_input_bytes(registry, feature.text, feature.name, feature.format, request.reading);
     if (loaded) {
+      warnings[i] = std::move(loaded->warnings);
+      JobControl control;
+      if (std::string about = remark_on_outlines(loaded->data, control); !about.empty())
+        warnings[i].push_back(std::move(about));
       found[i] = find_lines(registry, job, loaded->data, request.reading.keeps_vertices, feature.name, {});
     } else {
       // Lines and columns would be those of the feature alone.
@@ -293,8 +328,11 @@ Expected<void> process_features(const Registry& registry, const CenterlineReques
   };
   const bool is_map = std::ranges::any_of(found, lies_on_earth);
   std::optional<Error> first;
+  FeatureRemarks remarks;
   for (std::size_t i = 0; i < found.size(); ++i) {
     const Feature& feature = list.features[i];
+    for (const std::string& warning : warnings[i]) remarks.add(feature.name, warning);
+    if (found[i] && !found[i]->remark.empty()) remarks.add(feature.name, found[i]->remark);
     // Numbers that are no degrees are read as positions in a plane.
     if (is_map && found[i] && !lies_on_earth(found[i]))
       found[i] = std::unexpected(
@@ -306,6 +344,7 @@ Expected<void> process_features(const Registry& registry, const CenterlineReques
     say(done.error().message());
     if (!first) first = done.error();
   }
+  remarks.say_all();
   if (out.totals.lines != 0) return {};
   return std::unexpected(
       Error{first ? first->code : ErrorCode::bad_input, "no feature has a centre line", request.file});
@@ -342,6 +381,9 @@ Expected<void> run_centerline(const Registry& registry, const CenterlineRequest&
       sources = input->sources;
       // The user of a session has chosen its samples, so they stay.
       const bool keeps_samples = request.reading.keeps_vertices || input->session != nullptr;
+      JobControl control;
+      if (const std::string about = remark_on_outlines(input->data, control); !about.empty())
+        say(request.file + ": " + about);
       const auto ids = registry.structures();
       progress.show("sampling", 0.0);
       const auto found =
@@ -349,6 +391,7 @@ Expected<void> run_centerline(const Registry& registry, const CenterlineRequest&
             const auto at = std::ranges::find(ids, task) - ids.begin();
             progress.show(task, static_cast<double>(at) / static_cast<double>(ids.size()));
           });
+      if (found && !found->remark.empty()) say(request.file + ": " + found->remark);
       if (auto done = take_lines(*job, found, request.file, Feature{}, result); !done) return done;
     }
   }

@@ -137,6 +137,27 @@ class JoinedPoints {
   std::map<Number, Cell> cells_;
 };
 
+/// Calls `use(i, j)` for each two sides that cross at a point which is an end of neither, until it returns false.
+void for_each_crossing(std::span<const OutlineSide> sides, JobControl& job, auto use) {
+  const BoxTree<std::uint32_t> tree = tree_of(sides);
+  bool goes_on = true;
+  for (std::uint32_t i = 0; i < sides.size() && goes_on; ++i) {
+    constexpr std::uint32_t kRatherOften = 64;  // a side may cross all others
+    if (i % kRatherOften == 0) job.checkpoint();
+    const OutlineSide& a = sides[i];
+    const Box2 own = box_of(a);
+    tree.visit_where([&](const Box2& box, double) { return goes_on && overlap(own, box); },
+                     [&](std::uint32_t j) {
+                       const OutlineSide& b = sides[j];
+                       if (j <= i || !goes_on || !overlap(own, box_of(b)) ||
+                           orientation(a.from, a.to, b.from) * orientation(a.from, a.to, b.to) >= 0 ||
+                           orientation(b.from, b.to, a.from) * orientation(b.from, b.to, a.to) >= 0)
+                         return;
+                       goes_on = use(i, j);
+                     });
+  }
+}
+
 /// All ends, each once, sorted.
 std::vector<Vec2> ends_of(std::span<const OutlineSide> sides) {
   std::vector<Vec2> out;
@@ -158,6 +179,26 @@ bool SmoothPlace::is_next_to(const SmoothPlace& other) const {
   const std::uint32_t apart = std::max(number, other.number) - std::min(number, other.number);
   constexpr std::uint32_t kTwoChords = 4;
   return std::min(apart, count == 0 ? apart : count - apart) <= kTwoChords;
+}
+
+OutlineFaults faults_of_outlines(std::span<const PlaneCurve> curves, JobControl& job) {
+  OutlineFaults out;
+  std::vector<OutlineSide> sides;
+  for (const PlaneCurve& curve : curves) {
+    if (!curve.is_closed() || !curve.is_polyline()) continue;
+    const auto begin = static_cast<std::ptrdiff_t>(sides.size());
+    for (std::size_t i = 0; i + 1 < curve.points().size(); ++i) {
+      const auto [from, to] = std::minmax(curve.points()[i], curve.points()[i + 1], lexicographically_less);
+      if (from != to) sides.push_back({from, to});
+    }
+    std::sort(sides.begin() + begin, sides.end(), by_ends);
+    const auto is_same = [](const OutlineSide& a, const OutlineSide& b) { return a.from == b.from && a.to == b.to; };
+    const auto rest = std::unique(sides.begin() + begin, sides.end(), is_same);
+    out.repeated += static_cast<std::size_t>(sides.end() - rest);
+    sides.erase(rest, sides.end());
+  }
+  for_each_crossing(sides, job, [&](std::uint32_t, std::uint32_t) { return ++out.crossings <= kMostCrossings; });
+  return out;
 }
 
 double outline_tolerance(std::span<const PlaneCurve> curves) {
@@ -254,31 +295,18 @@ void OutlineSides::add_cuts_of_crossing(std::uint32_t i, std::uint32_t j, double
 }
 
 std::vector<OutlineSides::Cut> OutlineSides::crossings_of_sides(JobControl& job) {
-  const BoxTree<std::uint32_t> tree = tree_of(sides_);
   Box2 extent;
   for (const OutlineSide& side : sides_) extent.add(box_of(side));
   const double tolerance = 0x1p-44 * std::max({std::abs(extent.low.x), std::abs(extent.low.y),
                                                std::abs(extent.high.x), std::abs(extent.high.y)});
   std::vector<Cut> cuts;
   const std::size_t before = crossings_;
-  for (std::uint32_t i = 0; i < sides_.size(); ++i) {
-    constexpr std::uint32_t kRatherOften = 64;  // a side may cross all others
-    if (i % kRatherOften == 0) job.checkpoint();
-    if (crossings_ - before > kMostCrossings)
-      throw SizeRefusal(fmt::format("the sides of the outline cross each other more than {} times", kMostCrossings));
-    const OutlineSide& a = sides_[i];
-    const Box2 own = box_of(a);
-    tree.visit_where([&own](const Box2& box, double) { return overlap(own, box); },
-                     [&](std::uint32_t j) {
-                       const OutlineSide& b = sides_[j];
-                       if (j <= i || !overlap(own, box_of(b)) ||
-                           orientation(a.from, a.to, b.from) * orientation(a.from, a.to, b.to) >= 0 ||
-                           orientation(b.from, b.to, a.from) * orientation(b.from, b.to, a.to) >= 0)
-                         return;
-                       ++crossings_;
-                       add_cuts_of_crossing(i, j, tolerance, cuts);
-                     });
-  }
+  for_each_crossing(sides_, job, [&](std::uint32_t i, std::uint32_t j) {
+    add_cuts_of_crossing(i, j, tolerance, cuts);
+    return ++crossings_ - before <= kMostCrossings;
+  });
+  if (crossings_ - before > kMostCrossings)
+    throw SizeRefusal(fmt::format("the sides of the outline cross each other more than {} times", kMostCrossings));
   std::vector<Vec2> points;
   for (const Cut& cut : cuts) points.push_back(cut.second);
   JoinedPoints joined(points, tolerance);

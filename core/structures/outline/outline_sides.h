@@ -71,6 +71,16 @@ class OutlineSides {
   std::size_t crossings_ = 0;
 };
 
+/// How outlines run over themselves and each other, where they should bound something.
+struct OutlineFaults {
+  std::size_t crossings = 0;  ///< pairs of sides that cross, not at an end; counted no further than 200,001
+  std::size_t repeated = 0;   ///< times that an outline runs along a side of its own again
+};
+
+/// Those of the closed curves that have straight sides alone, decided exactly. Throws `Cancelled`. Cost: as
+/// `OutlineSides`.
+OutlineFaults faults_of_outlines(std::span<const PlaneCurve> curves, JobControl& job);
+
 /// How far chords may leave curves of this extent: 2^-14 of its larger side.
 double outline_tolerance(std::span<const PlaneCurve> curves);
 

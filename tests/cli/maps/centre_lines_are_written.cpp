@@ -275,7 +275,7 @@ TEST_CASE("lines and messages are in the order of the features, whichever is fin
   std::istringstream messages(apart.err);
   std::vector<int> without;
   for (std::string message; std::getline(messages, message);)
-    if (const auto at = message.find(", id "); at != std::string::npos)
+    if (const auto at = message.find(", id "); message.contains("there is no centre line"))
       without.push_back(std::stoi(message.substr(at + 5)));
   CHECK(without.size() + lines.size() == 30);
   CHECK(without.size() > 5);
@@ -336,11 +336,13 @@ TEST_CASE(
   }
   // A hole outside is a shape of its own, and the two triangles of a bow tie are compact.
   CHECK(lines == std::map<int, int>{{7, 2}, {8, 1}});
-  CHECK(std::ranges::count(result.err, '\n') == 7);
+  // A remark of each kind as well: on the plane of feature 1, that of the others, samples, a hole and a crossing.
+  CHECK(std::ranges::count(result.err, '\n') == 12);
   for (const char* const named :
        {"feature 1, id 1: its positions are not on the Earth", "feature 2, id 2: there is no centre line",
         "feature 3, id 3: ", "feature 4, id 4: ", "feature 5, id 5: there is no centre line",
-        "feature 6, id 6: there is no centre line: every shape"})
+        "feature 6, id 6: there is no centre line: every shape", "feature 2, id 2: sides of outlines cross once",
+        "feature 7, id 7: 1 hole lies outside its polygon"})
     CHECK_THAT(result.err, Catch::Contains(named));
 }
 
@@ -395,7 +397,9 @@ TEST_CASE("a map around a pole is computed about it, or is one line if no plane 
   const RunResult apart = run({"centerline", "-", "--each"},
                               {.input = map_of({feature({around(0, 10)}), feature({around(-70)}), house})});
   CHECK(apart.exit_code == 0);
-  CHECK(std::ranges::count(apart.err, '\n') == 3);
+  INFO(apart.err);
+  // The planes of features 2 and 3 are of two kinds, and samples were added in both.
+  CHECK(std::ranges::count(apart.err, '\n') == 6);
   CHECK_THAT(apart.err, Catch::Contains("feature 1: outline 1 goes around a pole") &&
                             Catch::Contains("feature 2: there is no centre line: every shape"));
   REQUIRE(Json::parse(apart.out)["features"].size() == 1);
@@ -441,6 +445,34 @@ TEST_CASE("an outline without a width is named as such") {
   CHECK(together.exit_code == 0);
   CHECK_THAT(together.err, Catch::Contains("an outline without a width is left out"));
   CHECK(Json::parse(together.out)["features"].size() == 1);
+}
+
+TEST_CASE("outlines that cross or repeat themselves are told of, and their lines are written") {
+  const auto remarks = [](const std::string& input, const std::vector<std::string>& options = {}) {
+    const RunResult result = run(with({"centerline", "-"}, options), {.input = input});
+    CHECK(result.exit_code == 0);
+    CHECK_FALSE(Json::parse(result.out)["features"].empty());
+    return result.err;
+  };
+  CHECK_THAT(remarks("POLYGON ((0 0, 20 5, 20 0, 0 5, 0 0))"), Catch::Contains("-: sides of outlines cross once"));
+  CHECK_THAT(remarks("POLYGON ((0 0, 20 5, 20 0, 0 5, 0 0))", {"--exact"}), Catch::Contains("cross once"));
+  CHECK_THAT(remarks("MULTIPOLYGON (((0 0, 9 0, 9 3, 0 3, 0 0)), ((5 1, 15 1, 15 2, 5 2, 5 1)))"),
+             Catch::Contains("cross 2 times"));
+  CHECK_THAT(remarks("POLYGON ((0 0, 9 0, 9 3, 0 3, 0 0, 9 0, 9 3, 0 3, 0 0))"),
+             Catch::Contains("outlines run along 4 sides of their own again"));
+  // Parcels with a common border, and a hole that touches the outline, are no faults.
+  CHECK_THAT(remarks("MULTIPOLYGON (((0 0, 9 0, 9 3, 0 3, 0 0)), ((0 3, 9 3, 9 6, 0 6, 0 3)))"),
+             !Catch::Contains("cross") && !Catch::Contains("again"));
+  CHECK_THAT(remarks("POLYGON ((0 0, 9 0, 9 3, 0 3, 0 0), (0 0, 3 1, 3 2, 0 0))"),
+             !Catch::Contains("cross") && !Catch::Contains("again"));
+  std::string features;
+  for (int i = 0; i < 20; ++i)
+    features += R"({"type":"Feature","properties":{},"geometry":{"type":"Polygon","coordinates":[[[0,0],[2000,)" +
+                std::to_string(500 + i) + "],[2000,0],[0,500],[0,0]]]}}\n";
+  const std::string apart = remarks(features, {"--each", "--crs", "EPSG:25832"});
+  CHECK_THAT(apart, Catch::Contains("-: feature 1: sides of outlines cross once") &&
+                        Catch::Contains("; likewise 19 other features"));
+  CHECK(std::ranges::count(apart, '\n') == 4);
 }
 
 TEST_CASE("the samples of a session stay, and those of a drawing are taken again") {

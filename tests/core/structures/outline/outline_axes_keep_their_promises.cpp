@@ -289,6 +289,53 @@ TEST_CASE("sides may cross many times, but not by the hundred thousand") {
   CHECK_THROWS_AS(spokes(1000).take(job), SizeRefusal);
 }
 
+TEST_CASE("crossings and repeated sides of outlines are those of all pairs") {
+  constexpr int kPlaces = 12;
+  Rng random(42);
+  const auto place = [&] { return static_cast<double>(random.below(kPlaces)); };
+  std::size_t crossings = 0;
+  std::size_t repeated = 0;
+  for (int round = 0; round < 300; ++round) {
+    std::vector<PlaneCurve> curves;
+    using Side = std::pair<Vec2, Vec2>;
+    std::vector<Side> all;
+    std::size_t again = 0;
+    for (std::uint64_t rings = 1 + random.below(4); rings > 0; --rings) {
+      PlaneCurve& curve = curves.emplace_back(Vec2{place(), place()});
+      for (std::uint64_t corners = 2 + random.below(8); corners > 0; --corners) curve.line_to({place(), place()});
+      curve.close();
+      std::vector<Side> own;
+      for (std::size_t i = 0; i + 1 < curve.points().size(); ++i) {
+        Side side{curve.points()[i], curve.points()[i + 1]};
+        if (side.first == side.second) continue;
+        if (lexicographically_less(side.second, side.first)) std::swap(side.first, side.second);
+        if (std::ranges::find(own, side) == own.end())
+          own.push_back(side);
+        else
+          ++again;
+      }
+      all.insert(all.end(), own.begin(), own.end());
+    }
+    // Coordinates are small integers, so that plain arithmetic is exact.
+    const auto turn = [](Vec2 a, Vec2 b, Vec2 c) { return cross(b - a, c - a); };
+    std::size_t pairs = 0;
+    for (std::size_t i = 0; i < all.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j) {
+        const auto& [a, b] = all[i];
+        const auto& [c, d] = all[j];
+        if (turn(a, b, c) * turn(a, b, d) < 0.0 && turn(c, d, a) * turn(c, d, b) < 0.0) ++pairs;
+      }
+    JobControl job;
+    const OutlineFaults faults = faults_of_outlines(curves, job);
+    CHECK(faults.crossings == pairs);
+    CHECK(faults.repeated == again);
+    crossings += pairs;
+    repeated += again;
+  }
+  CHECK(crossings > 1000);
+  CHECK(repeated > 10);
+}
+
 TEST_CASE("the axis depends on the outline as a set") {
   Rng rng(17);
   for (int round = 0; round < 20; ++round) {
