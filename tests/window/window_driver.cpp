@@ -329,7 +329,7 @@ DrivenProgram::~DrivenProgram() {
 }
 
 bool DrivenProgram::shows(const Screenshot& look) const {
-  return eventually([&] { return screen.shoot().box_of_changes(kCanvas, look).is_empty(); });
+  return eventually([&] { return screen.settled().box_of_changes(kCanvas, look).is_empty(); });
 }
 
 bool DrivenProgram::nearly_shows(const Screenshot& look) const {
