@@ -71,13 +71,30 @@ CenterLineWish wish_of(const ComputationSettings& settings, const Annotations& a
   return out;
 }
 
-Expected<SampleData> samples_for_center_lines(const SampleData& data, JobControl& job, std::string& remark) {
+Expected<std::optional<SampleData>> samples_for_center_lines(const SampleData& data, JobControl& job,
+                                                             std::string& remark) {
   if (!data.source || !data.source->curves) return data;
   std::shared_ptr<const CurveSet> curves = data.source->curves;
+  const auto add_remark = [&remark](const std::string& text) { remark += (remark.empty() ? "" : "; ") + text; };
+  const auto open = static_cast<std::size_t>(
+      std::ranges::count_if(curves->curves, [](const PlaneCurve& curve) { return !curve.is_closed(); }));
+  if (open != curves->curves.size() && (open != 0 || !curves->points.empty())) {
+    auto areas = std::make_shared<CurveSet>(CurveSet{{}, {}, curves->resolution});
+    std::ranges::copy_if(curves->curves, std::back_inserter(areas->curves), &PlaneCurve::is_closed);
+    const std::size_t points = curves->points.size();
+    const auto counted = [](std::size_t count, const std::string& one) {
+      return count == 1 ? "1 " + one : fmt::format("{} {}s", count, one);
+    };
+    const std::string lines = open == 0 ? std::string() : counted(open, "open line");
+    const std::string others = points == 0 ? std::string() : counted(points, "point");
+    add_remark(fmt::format("{}{}{} {} left out, since there are closed outlines", lines,
+                           lines.empty() || others.empty() ? "" : " and ", others,
+                           open + points == 1 ? "is" : "are"));
+    curves = std::move(areas);
+  }
   const std::vector<PlaneCurve>& all = curves->curves;
   const auto first = std::ranges::find_if(all, is_thin);
-  const bool is_any_thin = first != all.end();
-  if (is_any_thin) {
+  if (first != all.end()) {
     auto rest = std::make_shared<CurveSet>(CurveSet{{}, curves->points, curves->resolution});
     std::ranges::remove_copy_if(all, std::back_inserter(rest->curves), is_thin);
     const std::string name =
@@ -90,18 +107,18 @@ Expected<SampleData> samples_for_center_lines(const SampleData& data, JobControl
                           ratio, kMostOutlineSamples / kSamplesOfRatio);
     if (rest->curves.empty()) return std::unexpected(Error{ErrorCode::bad_input, fault});
     const std::size_t left_out = all.size() - rest->curves.size();
-    remark = left_out == 1 ? fault + "; it is left out"
-                           : fmt::format("{}; {} such outlines are left out", fault, left_out);
+    add_remark(left_out == 1 ? fault + "; it is left out"
+                             : fmt::format("{}; {} such outlines are left out", fault, left_out));
     curves = std::move(rest);
   }
-  const SamplingRequest request{.rule = SamplingRule::feature_size,
-                                .count = std::max(kUsualSamples, data.positions.size()),
-                                .most = kMostOutlineSamples * std::max<std::size_t>(1, curves->curves.size())};
+  const SamplingRequest request{
+      .rule = SamplingRule::feature_size,
+      .count = std::max(kUsualSamples, std::min(data.positions.size(), kMostOutlineSamples)),
+      .most = kMostOutlineSamples};
   auto taken = take_samples(curves, request, job);
-  if (!taken && is_any_thin) return std::unexpected(taken.error());
   if (!taken) {
-    remark = "the outlines keep their samples: " + taken.error().text;
-    return data;
+    add_remark("the lines are those of the exact axis of the outlines, because " + taken.error().text);
+    return std::nullopt;
   }
   taken->data.map = data.map;
   return std::move(taken->data);

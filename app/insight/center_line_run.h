@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -26,15 +27,17 @@ struct CenterLineWish {
 /// The lines of the layer `center-lines` at these settings, in data with these annotations.
 CenterLineWish wish_of(const ComputationSettings& settings, const Annotations& annotations);
 
-/// Most samples of an outline, on average. They are enough for one that is 30,000 times as long as it is wide, and take
-/// some 15 s on one core. A digit too many in a coordinate easily asks for more.
+/// Most samples of all outlines. They are enough for one that is 30,000 times as long as it is wide, and take some 15 s
+/// on one core. A digit too many in a coordinate easily asks for more.
 inline constexpr std::size_t kMostOutlineSamples = 250'000;
 
 /// Samples of the curves of the data by local feature size, since the axis of corners alone says little. Data without
-/// curves are samples already. Outlines that lie in a strip, and would need more than `kMostOutlineSamples` to show
-/// their width, are left out. If the rule cannot sample the curves, the samples stay. `remark` has a sentence for each
-/// of these cases. Error: `bad_input`, if no outline remains. Throws `Cancelled`.
-Expected<SampleData> samples_for_center_lines(const SampleData& data, JobControl& job, std::string& remark);
+/// curves are samples already. If there are closed curves, open ones and points are left out, and so are outlines that
+/// lie in a strip and would need more than `kMostOutlineSamples` to show their width. Nothing if the rule cannot sample
+/// the curves, or would need more samples than that: their exact axis can be taken instead. `remark` has a sentence for
+/// each of these cases. Error: `bad_input`, if no outline remains. Throws `Cancelled`.
+Expected<std::optional<SampleData>> samples_for_center_lines(const SampleData& data, JobControl& job,
+                                                             std::string& remark);
 
 /// A sentence on how the outlines of the data run over themselves and each other; empty if they do not, or are curved.
 /// Throws `Cancelled`.

@@ -95,9 +95,9 @@ Expected<LoadedFile> load_samples(CurveSet curves, const std::string& name, Read
   if (samples <= vertices) return file;
   file->warnings.push_back(Error{
       ErrorCode::bad_input,
-      fmt::format("samples were added between the {} vertices, {} in all; the sampling rule \"vertices\" takes the "
+      fmt::format("samples were added between the {}vertices, {} in all; the sampling rule \"vertices\" takes the "
                   "vertices alone",
-                  vertices, samples),
+                  vertices == 0 ? std::string() : std::to_string(vertices) + ' ', samples),
       name}
                                .message());
   return file;

@@ -232,12 +232,15 @@ Expected<FoundLines> find_lines(const Registry& registry, const CenterlineJob& j
   if (data.positions.empty()) return in_file({ErrorCode::bad_input, "there are no samples and no curves"}, name);
   JobControl control;
   FoundLines out;
-  const Expected<SampleData> chosen = keeps_samples || job.wish.is_exact
-                                          ? Expected<SampleData>(data)
-                                          : samples_for_center_lines(data, control, out.remark);
-  if (!chosen) return in_file(chosen.error(), name);
-  const SampleData& samples = *chosen;
   CenterLineWish wish = job.wish;
+  std::optional<SampleData> taken;
+  if (!keeps_samples && !wish.is_exact) {
+    auto chosen = samples_for_center_lines(data, control, out.remark);
+    if (!chosen) return in_file(chosen.error(), name);
+    taken = *std::move(chosen);
+    wish.is_exact = !taken;
+  }
+  const SampleData& samples = taken ? *taken : data;
   // Ends that a session has count unless more lines are wanted.
   if (!job.between && wish.request.most == 1) wish.request.between = center_line_ends(data.annotations);
   if (job.between) {

@@ -475,6 +475,51 @@ TEST_CASE("outlines that cross or repeat themselves are told of, and their lines
   CHECK(std::ranges::count(apart, '\n') == 4);
 }
 
+TEST_CASE("where a map has areas, its lines and points have no part in centre lines") {
+  const RunResult result =
+      run({"centerline", "-"},
+          {.input = "POLYGON ((0 0, 10 0, 10 2, 0 2, 0 0))\nLINESTRING (0 3, 10 3)\nPOINT (5 8)\nPOINT (5 1.5)"});
+  CHECK(result.exit_code == 0);
+  CHECK_THAT(result.err, Catch::Contains("1 open line and 2 points are left out, since there are closed outlines"));
+  const Json lines = Json::parse(result.out)["features"];
+  REQUIRE(lines.size() == 1);
+  CHECK(lines[0]["properties"]["length"].get<double>() == Approx(8.0).margin(0.1));
+  CHECK(lines[0]["properties"]["width_mean"].get<double>() == Approx(2.0).margin(0.01));
+}
+
+TEST_CASE("outlines that need too many samples have the lines of their exact axis") {
+  // A comb, whose widest part is its back.
+  std::string comb = "POLYGON ((0 0";
+  constexpr int kTeeth = 400;
+  const auto add = [&](double x, const char* y) { comb += ", " + std::to_string(x) + y; };
+  for (int i = 0; i < kTeeth; ++i) {
+    const double x = 0.002 * i;
+    add(x, " 0");
+    add(x, " 100");
+    add(x + 0.001, " 100");
+    add(x + 0.001, " 0");
+  }
+  comb += ", 1 0, 1 -0.3, 0 -0.3, 0 0))";
+  const RunResult result = run({"centerline", "-"}, {.input = comb});
+  INFO(result.err);
+  CHECK(result.exit_code == 0);
+  CHECK_THAT(result.err,
+             Catch::Contains("the lines are those of the exact axis of the outlines, because the curves"));
+  const Json line = Json::parse(result.out)["features"][0]["properties"];
+  CHECK(line["width_largest"].get<double>() < 0.4);
+}
+
+TEST_CASE("a polygon with very many sides along a circle has a point for an axis") {
+  constexpr int kSides = 40'000;
+  std::ostringstream places;
+  places.precision(15);
+  for (int i = 0; i <= kSides; ++i) {
+    const double angle = 2.0 * 3.14159265358979323846 * (i % kSides) / kSides;
+    places << (i == 0 ? "" : ", ") << std::cos(angle) << ' ' << std::sin(angle);
+  }
+  CHECK_THAT(line_fault(1, {"-"}, "POLYGON ((" + places.str() + "))"), Catch::Contains("its pruned axis is a point"));
+}
+
 TEST_CASE("the samples of a session stay, and those of a drawing are taken again") {
   const TemporaryFolder folder;
   const std::string strip = folder.write("strip.wkt", kStrip).string();

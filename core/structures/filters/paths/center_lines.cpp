@@ -33,6 +33,12 @@ class BranchGraph {
   /// Shapes of all branches, and isolated points.
   std::size_t shapes() const { return shapes_; }
 
+  /// Where samples lie on a circle, rounding scatters the centres of their balls.
+  bool is_rounding(const AxisPath& path, const AxisPaths& paths) const {
+    constexpr double kRounding = 0x1p-20;  // of the radius
+    return path.length <= kRounding * network_.nodes()[paths.graph().tail(path.steps.front())].radius;
+  }
+
   std::optional<std::uint32_t> end_near(const AxisPaths& paths, Vec2 at) const {
     std::optional<std::uint32_t> out;
     for (std::uint32_t node = 0; node < network_.nodes().size(); ++node)
@@ -144,7 +150,13 @@ CenterLines center_lines_of(const AxisNetwork& network, const CenterLineRequest&
     else
       ++out.unjoined;
   }
-  if (request.between.empty()) found = paths.main_lines(request.most, job);
+  if (request.between.empty()) {
+    found = paths.main_lines(request.most, job);
+    std::vector<bool> has_line(paths.shape_count(), false);
+    std::erase_if(found, [&](const AxisPath& path) { return graph.is_rounding(path, paths); });
+    for (const AxisPath& path : found) has_line[path.shape] = true;
+    out.points = graph.shapes() - static_cast<std::size_t>(std::ranges::count(has_line, true));
+  }
 
   // Shapes by the length of their first line.
   std::vector<double> lengths(paths.shape_count(), 0.0);

@@ -23,7 +23,7 @@ struct CenterLineRequest {
 
 struct CenterLines {
   std::vector<CenterLine> lines;  ///< shape by shape, that with the longest first line first
-  std::size_t points = 0;         ///< shapes whose axis is a single point and has no line
+  std::size_t points = 0;         ///< shapes whose axis is a single point, but for rounding, and has no line
   std::size_t unjoined = 0;       ///< pairs of `between` that are not two different ends of one shape
 };
 
