@@ -2,10 +2,12 @@
 #include "core/io/systems/coordinate_system.h"
 
 #include <fmt/core.h>
+#include <cctype>
 #include <map>
 #include <mutex>
 #include <utility>
 
+#include "core/base/lower_case.h"
 #include "core/io/systems/proj_library.h"
 #include "core/io/text/ascii_text.h"
 #include "core/io/text/text_numbers.h"
@@ -23,6 +25,19 @@ std::string as_proj_expects(std::string_view text) {
   // Without this PROJ makes a conversion of it.
   if (text.starts_with('+') && !text.contains("+type=crs")) return fmt::format("{} +type=crs", text);
   return std::string(text);
+}
+
+/// Whether the text is only a name, of which PROJ takes any part for the first name that holds it.
+bool is_plain_name(std::string_view text) {
+  return !text.starts_with('+') && text.find_first_of(":[{") == std::string_view::npos;
+}
+
+/// The letters and digits of a name, in lower case.
+std::string letters_of(std::string_view name) {
+  std::string out;
+  for (const char c : lower_case(name))
+    if (std::isalnum(static_cast<unsigned char>(c)) != 0) out += c;
+  return out;
 }
 
 /// Looks a system up with PROJ.
@@ -47,6 +62,9 @@ class SystemSearch {
     if (!out.is_geographic && type != PJ_TYPE_PROJECTED_CRS)
       return fail(in_quotes(text) + " is not a coordinate system of the Earth's surface");
     out.name = printable(proj_.get_name(system));
+    if (is_plain_name(text) && letters_of(text) != letters_of(out.name))
+      return fail(fmt::format("{} names no coordinate system, though it is part of {}", in_quotes(text),
+                              in_quotes(out.name)));
     out.id = is_bound ? wkt_of(whole.get()) : id_of(system);
     if (is_wgs84(out.id)) return CoordinateSystem{};
     if (out.id.empty() || !read_axes(system, out) || !read_ellipsoid(system, out))

@@ -30,7 +30,7 @@ struct CoordinateSystem {
   friend bool operator==(const CoordinateSystem&, const CoordinateSystem&) = default;
 };
 
-/// Finds a system by any text that PROJ understands. A system that an authority defines gets its code, however it was
+/// Finds a system by any text that PROJ understands, but for parts of names. A system that an authority defines gets its code, however it was
 /// described. The horizontal part is taken of a system with heights. The default members describe longitude and
 /// latitude on WGS 84, for which neither PROJ nor its database is needed. Error: `bad_input`, if PROJ does not know it,
 /// if it is not a system on the Earth's surface, or if the text has more than 65,536 bytes.

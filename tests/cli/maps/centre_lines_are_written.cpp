@@ -520,6 +520,16 @@ TEST_CASE("a polygon with very many sides along a circle has a point for an axis
   CHECK_THAT(line_fault(1, {"-"}, "POLYGON ((" + places.str() + "))"), Catch::Contains("its pruned axis is a point"));
 }
 
+TEST_CASE("a coordinate system is chosen by its whole name or its code") {
+  for (const char* const name : {"EPSG:25832", "25832", "ETRS89 / UTM zone 32N", "etrs89/utm zone 32n"}) {
+    const RunResult result = run({"centerline", "-", "--crs", name}, {.input = kStrip});
+    CHECK(result.exit_code == 0);
+    CHECK_THAT(result.err, Catch::Contains("ETRS89 / UTM zone 32N (EPSG:25832)"));
+  }
+  for (const char* const part : {"foo", "WGS", "Amersf"})
+    CHECK_THAT(line_fault(2, {"-", "--crs", part}, kStrip), Catch::Contains("names no coordinate system"));
+}
+
 TEST_CASE("the samples of a session stay, and those of a drawing are taken again") {
   const TemporaryFolder folder;
   const std::string strip = folder.write("strip.wkt", kStrip).string();
