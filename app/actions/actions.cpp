@@ -35,6 +35,9 @@ constexpr auto kFileRows = std::to_array<Row>({
     {ActionId::keep_degrees, "keep-degrees", "Keep degrees of maps",
      "Use longitude and latitude of maps (GeoJSON, WKT, KML, GPX, shapefiles) as coordinates in degrees instead of "
      "projecting them to metres; an open map is read again"},
+    {ActionId::map_system, "map-system", "Coordinate system...",
+     "Read the open map, table or drawing again, with positions in the coordinate system that you name, such as "
+     "EPSG:25832: results are in it again"},
     {ActionId::trace_picture, "trace-picture", "Picture underneath...",
      "Show a picture below the drawing, to place samples along it"},
     {ActionId::picture_to_samples, "trace-into-samples", "Trace a picture...",

@@ -20,6 +20,7 @@ enum class ActionId : std::uint8_t {
   save_as,
   share,
   keep_degrees,
+  map_system,
   trace_picture,
   picture_to_samples,
   make_shape,

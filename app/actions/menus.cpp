@@ -17,7 +17,7 @@ std::vector<ActionId> series(ActionId first, ActionId last) {
 std::vector<MenuPart> made_parts() {
   return {
       {"File", {ActionId::new_document, ActionId::open}},
-      {"File", {ActionId::keep_degrees}},
+      {"File", {ActionId::keep_degrees, ActionId::map_system}},
       {"File", {ActionId::save, ActionId::save_as, ActionId::share}},
       {"File", {ActionId::picture_to_samples, ActionId::trace_picture, ActionId::export_figure}},
       {"File",

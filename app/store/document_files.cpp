@@ -78,7 +78,9 @@ void DocumentFiles::read(const Asked& asked, Reading& reading, ReadFiles& out) {
   std::vector<LoadedFile> files;
   for (const fs::path& file : asked.files) {
     out.outcome.file = file;
-    auto loaded = read(file, {.degrees = asked.degrees, .formats = &asked.registry->formats()}, reading.control);
+    auto loaded =
+        read(file, {.degrees = asked.degrees, .system = asked.system, .formats = &asked.registry->formats()},
+             reading.control);
     if (!loaded) {
       out.outcome.error = std::move(loaded.error());
       return;
@@ -113,6 +115,7 @@ void DocumentFiles::read_text(const Asked& asked, Reading& reading, ReadFiles& o
 void DocumentFiles::join(const Asked& asked, std::vector<LoadedFile> files, ReadFiles& out) {
   Outcome& outcome = out.outcome;
   outcome.format = files.front().format;
+  outcome.system = asked.system;
   if (LoadedFile& first = files.front(); first.session) {
     outcome.file = asked.files.front();
     outcome.session = first.session;
@@ -207,8 +210,8 @@ Document DocumentFiles::start() const {
   return successor_of(editor_.document(), {.revisions = std::uint64_t{1} << 32U, .ids = std::uint32_t{1} << bits});
 }
 
-void DocumentFiles::open(const std::vector<fs::path>& files, MapDegrees degrees) {
-  if (!files.empty()) begin({.files = files, .degrees = degrees});
+void DocumentFiles::open(const std::vector<fs::path>& files, MapDegrees degrees, const std::string& system) {
+  if (!files.empty()) begin({.files = files, .degrees = degrees, .system = system});
 }
 
 void DocumentFiles::open_shape(const fs::path& file, const std::string& title) {

@@ -50,8 +50,10 @@ class DocumentFiles {
   ~DocumentFiles();
 
   /// Begins to read, and gives up a reading under way. Several files are opened together if each adds different data:
-  /// a file of samples and a file of balls are one document again. `degrees` applies to maps among them.
-  void open(const std::vector<std::filesystem::path>& files, MapDegrees degrees = MapDegrees::projected);
+  /// a file of samples and a file of balls are one document again. `degrees` applies to maps among them, and `system` is
+  /// as `ReadRequest::system`.
+  void open(const std::vector<std::filesystem::path>& files, MapDegrees degrees = MapDegrees::projected,
+            const std::string& system = {});
   void open(const std::filesystem::path& file) { open(std::vector{file}); }
   /// The same for a built-in shape, which has a title; saving it asks for a file.
   void open_shape(const std::filesystem::path& file, const std::string& title);
@@ -79,6 +81,7 @@ class DocumentFiles {
     std::shared_ptr<const Session> session;  ///< if it was one; the document is already the session's
     std::string format;
     std::optional<MapDegrees> degrees;  ///< the treatment of longitude and latitude; nothing if there were none
+    std::string system;                 ///< the coordinate system that was asked for; may be empty
     std::size_t samples = 0;
     std::size_t balls = 0;
     std::vector<std::string> warnings;
@@ -144,6 +147,7 @@ class DocumentFiles {
     std::shared_ptr<const std::string> text{};   // set instead of files
     std::shared_ptr<const Session> recovered{};  // set instead of files
     MapDegrees degrees = MapDegrees::projected;
+    std::string system{};
     std::shared_ptr<const Registry> registry{};
     Editor::Work work{};        // the editor's work at that time
     bool was_modified = false;  // if so, the user was asked about it

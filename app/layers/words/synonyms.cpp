@@ -16,6 +16,7 @@ constexpr auto kSynonyms = std::to_array<Synonyms>({
     {"save-as", "export store csv geojson wkt poff coordinates"},
     {"share", "link address url send copy"},
     {"keep-degrees", "longitude latitude gps coordinates projection"},
+    {"map-system", "crs epsg proj srid projection reference utm wgs84 georeference"},
     {"trace-picture", "background photo image scan template underlay"},
     {"trace-into-samples", "vectorize vectorise image photo scan silhouette outline bitmap raster png jpeg import"},
     {"make-shape", "generate circle ellipse polygon star spiral gear formula random example primitive"},

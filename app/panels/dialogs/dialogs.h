@@ -12,6 +12,7 @@
 #include "app/panels/dialogs/questions/ask_conflict.h"
 #include "app/panels/dialogs/questions/ask_experiment.h"
 #include "app/panels/dialogs/questions/ask_recover.h"
+#include "app/panels/dialogs/questions/ask_system.h"
 #include "app/panels/dialogs/questions/ask_unsaved.h"
 #include "app/panels/dialogs/shape_dialog.h"
 #include "app/panels/dialogs/text_dialog.h"
@@ -27,6 +28,7 @@ class Dialogs {
   AskRecover recover;
   AskConflict conflict;
   AskExperiment experiment;
+  AskSystem system;
   FigureDialog figure;
   TraceDialog trace;
   ShapeDialog shape;
@@ -48,8 +50,9 @@ class Dialogs {
   void draw(const Gui& gui);
 
  private:
-  std::array<Dialog*, 12> all_{&figure,   &trace,      &shape,   &text, &recover, &unsaved,
-                               &conflict, &experiment, &browser, &help, &manual,  &palette};  // topmost last
+  // Topmost last.
+  std::array<Dialog*, 13> all_{&figure,   &trace,      &shape,   &text, &recover, &system, &unsaved,
+                               &conflict, &experiment, &browser, &help, &manual,  &palette};
 };
 
 }  // namespace mes

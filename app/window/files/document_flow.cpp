@@ -94,6 +94,7 @@ void DocumentFlow::bind_files(ActionBindings& actions) {
                                         },
                                         {},
                                         [this] { return uses_.settings.keep_degrees; }});
+  actions.bind(ActionId::map_system, {[this] { ask_system(); }, when_readable_again()});
   actions.bind(ActionId::trace_picture, {[this] {
                  uses_.dialogs.browser.ask_open(
                      browse_folder(), remembering([this](const fs::path& file) { uses_.board.traced().trace(file); }),
@@ -211,6 +212,8 @@ void DocumentFlow::leave_document() {
   uses_.work.leave_document();
   uses_.board.traced().give_up();
   map_files_.clear();
+  map_degrees_.reset();
+  map_system_.clear();
 }
 
 // A reading or a save refers to the document that the lesson would put aside.
@@ -219,6 +222,11 @@ ActionBindings::Condition DocumentFlow::when_presentable() const {
           {[this] { return !files_.is_reading(); }, "a file is being read"},
           {[this] { return !files_.is_saving(); }, "a file is being saved"},
           {[this] { return !uses_.work.editor().timeline().lesson().steps.empty(); }, "the session holds no lesson"}};
+}
+
+ActionBindings::Condition DocumentFlow::when_readable_again() const {
+  return {{[this] { return !files_.is_reading(); }, "a file is being read"},
+          {[this] { return !map_files_.empty() && !has_own_file(); }, "no map, table or drawing is open"}};
 }
 
 void DocumentFlow::start_demo() {

@@ -112,9 +112,12 @@ class DocumentFlow {
   ActionBindings::Condition when_presentable() const;
 
   // document_opening.cpp
-  void open_documents(const std::vector<std::filesystem::path>& files);
+  void open_documents(const std::vector<std::filesystem::path>& files, const std::string& system = {});
   /// Reads the open map again, with the present setting for its degrees.
   void read_map_again();
+  void ask_system();
+  /// The condition under which the open files can be read again.
+  ActionBindings::Condition when_readable_again() const;
   /// True if the document has been saved to a file of its own since it was opened.
   bool has_own_file() const;
   MapDegrees degrees_wanted() const;
@@ -168,8 +171,9 @@ class DocumentFlow {
   BackgroundJob<SharedLink> sharing_;
   std::function<void()> after_save_;              // waits for a save, perhaps under a new name
   std::filesystem::path traced_with_next_;        // the picture to trace once the present reading ends
-  std::vector<std::filesystem::path> map_files_;  // files that were opened, if they had longitude and latitude
-  MapDegrees map_degrees_{};                      // treatment of their longitude and latitude
+  std::vector<std::filesystem::path> map_files_;  // files that were opened, and can be read again in another way
+  std::optional<MapDegrees> map_degrees_;         // treatment of their longitude and latitude
+  std::string map_system_;                        // the system that was named for them
   bool reads_map_again_ = false;                  // waits until nothing else is being read
   bool presents_next_ = false;                    // the lesson being read is presented next
   std::optional<LeftWork> recovering_;            // the work being read

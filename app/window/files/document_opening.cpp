@@ -7,6 +7,8 @@
 #include "app/playing/session_evolution.h"
 #include "app/window/files/document_flow.h"
 #include "core/io/bundle_file.h"
+#include "core/io/systems/coordinate_system.h"
+#include "core/io/systems/map_conversion.h"
 #include "imgui.h"
 
 namespace mes {
@@ -41,8 +43,8 @@ void DocumentFlow::open_first(std::vector<std::string> files, bool presents) {
   if (!picture.empty()) tracing_.open(picture);
 }
 
-void DocumentFlow::open_documents(const std::vector<fs::path>& files) {
-  files_.open(files, degrees_wanted());
+void DocumentFlow::open_documents(const std::vector<fs::path>& files, const std::string& system) {
+  files_.open(files, degrees_wanted(), system);
 }
 
 MapDegrees DocumentFlow::degrees_wanted() const {
@@ -54,12 +56,31 @@ MapDegrees DocumentFlow::degrees_wanted() const {
 void DocumentFlow::read_map_again() {
   // The present reading comes first, and may be a map itself; `take_results` asks again when it has ended.
   reads_map_again_ = files_.is_reading();
-  if (reads_map_again_ || map_files_.empty() || has_own_file() || map_degrees_ == degrees_wanted()) return;
-  with_saved_work([this, files = map_files_] {
+  if (reads_map_again_ || !map_degrees_ || has_own_file() || map_degrees_ == degrees_wanted()) return;
+  with_saved_work([this, files = map_files_, system = map_system_] {
     if (has_own_file()) return;  // saved by the answer
     traced_with_next_.clear();
-    open_documents(files);
+    open_documents(files, system);
   });
+}
+
+void DocumentFlow::ask_system() {
+  uses_.board.canvas().cancel_gesture();
+  const auto& map = uses_.work.editor().timeline().data()->map;
+  std::string present = map_system_;
+  if (present.empty() && map && is_on_earth(*map)) present = map->system.empty() ? "EPSG:4326" : map->system;
+  uses_.dialogs.system.ask(map_files_.front().filename().string(), present,
+                           [this](const std::string& system) -> Expected<void> {
+                             if (!system.empty())
+                               if (const auto known = find_coordinate_system(system); !known)
+                                 return std::unexpected(known.error());
+                             with_saved_work([this, files = map_files_, system] {
+                               if (has_own_file()) return;  // saved by the answer
+                               traced_with_next_.clear();
+                               open_documents(files, system);
+                             });
+                             return {};
+                           });
 }
 
 // A file of balls that was opened with the map is read again together with it.
@@ -164,9 +185,10 @@ void DocumentFlow::take_read_file() {
   if (outcome->is_recovered && recovered) return take_recovered(*outcome, *std::move(recovered));
   uses_.demo.end(true);
   leave_document();
-  if (outcome->degrees) {
+  if (!outcome->is_shape && !outcome->session) {
     map_files_ = outcome->files;
-    map_degrees_ = *outcome->degrees;
+    map_degrees_ = outcome->degrees;
+    map_system_ = outcome->system;
   }
   if (outcome->session) show_as_in(*outcome->session);
   if (!picture.empty()) uses_.board.traced().trace(picture);

@@ -11,6 +11,7 @@
 
 #include "core/base/geometry/box2.h"
 #include "core/io/format.h"
+#include "core/io/session/session.h"
 #include "tests/window/window_driver.h"
 
 using namespace mes;
@@ -69,6 +70,34 @@ TEST_CASE("a map that is open is read again when its degrees are to be kept") {
   run_action(window, saved, "keep-degrees");
   static_cast<void>(window.drawn());
   CHECK(window.title().starts_with("kept.poff"));
+}
+
+TEST_CASE("the coordinate system of a file that names none is chosen, and a wrong name is asked again") {
+  DrivenProgram window;
+  // 800 m by 200 m in UTM zone 32.
+  window.folder.write("strip.wkt",
+                      "POLYGON ((500000 5540000, 500800 5540000, 500800 5540200, 500000 5540200, 500000 5540000))");
+  window.start("strip.wkt");
+  const Screenshot plain = window.drawn();
+  const auto ask = [&] {
+    run_action(window, window.screen.settled(), "map-system");
+    return window.screen.settled();
+  };
+  const Screenshot empty = ask();
+  CHECK(empty.differences(plain, 30) > 5000);
+  window.screen.xdotool("type --delay 20 EPSG:99999999");
+  window.press("Return");
+  const Screenshot refused = window.screen.settled();
+  CHECK(refused.differences(plain, 30) > 5000);
+  CHECK(refused.differences(empty, 30) > 500);
+  window.screen.type_over("EPSG:25832");
+  window.press("Return");
+  REQUIRE(eventually([&] { return window.shows(plain); }));
+  window.save_as("placed.json");
+  const auto placed = read_session(bytes_of(window.folder / "placed.json"), "placed.json");
+  REQUIRE(placed);
+  REQUIRE(placed->data->map);
+  CHECK(placed->data->map->system == "EPSG:25832");
 }
 
 TEST_CASE("a map that was opened with a file of balls is read again with it") {
