@@ -60,6 +60,12 @@ ClipRegion SvgClipPaths::of(pugi::xml_node node, const SvgStyle& style, const Sv
     remark_not_applied(node, "which refers to itself");
     return {};
   }
+  // A region knows the curves of all others that cut it.
+  constexpr std::size_t kLongestChain = 32;
+  if (around_.size() == kLongestChain) {
+    remark_not_applied(node, "which is at the end of a chain of more than 32");
+    return {};
+  }
   auto region = region_of(found->second, context, box);
   if (!region) {
     remark_not_applied(node, "whose coordinates or box leave no room for it");

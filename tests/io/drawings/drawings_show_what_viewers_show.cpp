@@ -438,6 +438,17 @@ TEST_CASE("clip paths and masks that are not applied are said") {
   CHECK_THAT(
       warning("<clipPath id='c' clip-path='url(#c)'><rect width='9' height='9'/></clipPath>", "clip-path='url(#c)'"),
       Catch::Contains("which refers to itself"));
+  const auto chain = [](int count) {
+    std::string out;
+    for (int i = 0; i < count; ++i)
+      out += "<clipPath id='c" + std::to_string(i) + "' clip-path='" +
+             (i == 0 ? "none" : "url(#c" + std::to_string(i - 1) + ")") +
+             "'><rect width='99' height='99'/></clipPath>";
+    return out;
+  };
+  CHECK_THAT(warning(chain(3000), "clip-path='url(#c2999)'"),
+             Catch::Contains("1 clip path is not applied, which is at the end of a chain of more than 32"));
+  CHECK(warnings_of(chain(32) + square("a", "clip-path='url(#c31)'")).empty());
   CHECK_THAT(warning("<clipPath id='c'><rect width='9' height='9'/><text>a</text></clipPath>", "clip-path='url(#c)'"),
              Catch::Contains("1 text element in a clip path is left out"));
   CHECK_THAT(warning("<mask id='m'><rect width='9' height='9'/></mask>", "mask='url(#m)'"),
