@@ -13,6 +13,7 @@
 #include "app/cli/console/messages.h"
 #include "core/graph/registry.h"
 #include "core/io/files/read_file.h"
+#include "core/io/format.h"
 #include "core/io/format_spec.h"
 #include "core/io/maps/gdal.h"
 #include "core/io/session/json_text.h"
@@ -92,6 +93,12 @@ Expected<void> add_geojson(std::string_view text, const std::string& file, Featu
   return {};
 }
 
+/// The error of the reader of whole files, if there is one, since that knows more than this one.
+Error better_reason(const Registry& registry, std::string_view bytes, const std::string& file, Error error) {
+  const auto whole = read_sample_bytes(bytes, file, {}, {.keeps_vertices = true, .formats = &registry.formats()});
+  return whole ? std::move(error) : whole.error();
+}
+
 }  // namespace
 
 std::span<const std::string_view> feature_formats() {
@@ -136,11 +143,12 @@ Expected<FeatureList> read_features(const Registry& registry, const std::string&
       bytes = geojson_by_gdal(*bytes, file, file == "-" ? nullptr : &path, nullptr);
       if (!bytes) return std::unexpected(bytes.error());
     } else if (begin == std::string_view::npos || without_bom(*bytes)[begin] != '{') {
-      return std::unexpected(
-          Error{ErrorCode::bad_input,
-                "--each reads features of GeoJSON, KML, WKT, shapefiles, GeoPackages and FlatGeobufs", file});
+      Error other{ErrorCode::bad_input,
+                  "--each reads features of GeoJSON, KML, WKT, shapefiles, GeoPackages and FlatGeobufs", file};
+      return std::unexpected(better_reason(registry, *bytes, file, std::move(other)));
     }
-    if (auto done = add_geojson(without_bom(*bytes), file, out); !done) return std::unexpected(done.error());
+    if (auto done = add_geojson(without_bom(*bytes), file, out); !done)
+      return std::unexpected(better_reason(registry, *bytes, file, done.error()));
   }
   if (out.features.empty()) return std::unexpected(Error{ErrorCode::bad_input, "there are no features", file});
   return out;

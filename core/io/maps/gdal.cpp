@@ -35,9 +35,10 @@ class GdalMessages {
   GdalMessages& operator=(const GdalMessages&) = delete;
 
   std::unexpected<Error> problem(std::string text, const std::string& file) const {
-    // Names in the memory of GDAL say nothing to a user.
+    // Names in the memory of GDAL, and options of its programs, say nothing to a user.
     const std::string reason = one_line(gdal_.last_error());
-    if (!reason.empty() && !reason.contains("/vsimem/")) text += ": " + reason;
+    const bool is_for_users = !reason.contains("/vsimem/") && !reason.contains("skipfailures");
+    if (!reason.empty() && is_for_users) text += ": " + reason;
     return std::unexpected(Error{ErrorCode::bad_input, std::move(text), file});
   }
 
@@ -169,7 +170,8 @@ Expected<std::string> geojson_by_gdal(std::string_view bytes, const std::string&
                                       job);
     const std::string_view written = text.bytes();
     if (!is_written || !written.starts_with('{'))
-      return messages.problem(fmt::format("GDAL cannot read layer {}", in_quotes(gdal.layer_name(layer))), name);
+      return messages.problem(fmt::format("GDAL cannot read layer {} to its end", in_quotes(gdal.layer_name(layer))),
+                              name);
     out += R"({"crs":{"type":"name","properties":{"name":)";
     append_quoted(out, system_of(gdal, layer));
     out += "}},";

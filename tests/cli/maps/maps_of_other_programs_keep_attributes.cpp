@@ -345,6 +345,11 @@ TEST_CASE("a map that GDAL cannot read is one line") {
   CHECK_THAT(map_fault(3, {"centerline", "-", "--each"}, "1 2\n3 4\n"), Catch::Contains("GeoPackages"));
   CHECK_THAT(map_fault(3, {"centerline", "-", "--each"}, "<kml><Placemark></kml>"), Catch::Contains("-:1:"));
   CHECK_THAT(map_fault(3, {"centerline", "-", "--each"}, "<kml></kml>"), Catch::Contains("no features"));
+  CHECK_THAT(map_fault(3, {"centerline", "-", "--each"}), Catch::Contains("the file is empty"));
+  CHECK_THAT(map_fault(3, {"centerline", "-", "--each"}, R"({"type":"Topology","objects":{},"arcs":[]})"),
+             Catch::Contains("TopoJSON"));
+  CHECK_THAT(map_fault(3, {"centerline", "-", "--each"}, R"({"type":"FeatureCollection","features":[]} xyz)"),
+             Catch::Contains("-:1:") && Catch::Contains("this is not JSON"));
   const std::string both = folder.write("strip.wkt", "POLYGON ((0 0, 800 0, 800 200, 0 200, 0 0))").string();
   CHECK_THAT(map_fault(2, {"export", both, "--layer", "points", "--format", "gpkg-areas"}),
              Catch::Contains("points"));
