@@ -84,6 +84,22 @@ TEST_CASE("parts that lie on a line") {
   CHECK(bench.count("delaunay", "hull_edges") == 30002);
 }
 
+TEST_CASE("two parts that lie on parallel lines, in order along them") {
+  // In this order each sample of the second line would take the edges of the one before.
+  constexpr std::int64_t kInRow = 150'000;
+  std::vector<Vec2> positions;
+  for (const double y : {0.0, 1e6})
+    for (std::int64_t i = 0; i < kInRow; ++i)
+      positions.push_back({static_cast<double>(i) + (y == 0.0 ? 0.0 : 0.25), y});
+  TestBench bench;
+  bench.show({"delaunay", "curve", "medial-axis"});
+  bench.replace(positions);
+  CHECK(broken_row(bench.graph()) == "");
+  CHECK(bench.get<Delaunay>().site_count() == 2 * kInRow);
+  CHECK(bench.count("delaunay", "hull_edges") == 2 * kInRow);
+  CHECK(bench.count("delaunay", "edges") == 4 * kInRow - 3);
+}
+
 TEST_CASE("a large curve with corners") {
   check_grown(shuffled(rough_curve(30000)));
 }

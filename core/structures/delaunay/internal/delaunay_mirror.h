@@ -187,8 +187,9 @@ class Delaunay::Mirror final : public Delaunay::MirrorBase, private Delaunay::Ro
   }
 
   void insert_all(Part& part, JobControl& job) {
-    const auto order = insertion_order(part.samples, d_.samples_.extent(),
-                                       [this](SampleSlot sample) { return position_of(sample); });
+    auto order = insertion_order(part.samples, d_.samples_.extent(),
+                                 [this](SampleSlot sample) { return position_of(sample); });
+    leave_line_early(order);
     // This order is not that of the rows: scattered data is read and written apart from the triangulation, so that no
     // step waits for it.
     std::vector<Vec2> positions;
@@ -223,11 +224,21 @@ class Delaunay::Mirror final : public Delaunay::MirrorBase, private Delaunay::Ro
       part.triangulation.swap(far.triangulation);
       part.samples.swap(far.samples);
     }
+    // The other part may be collinear as well. If it lies on another line, and the sites came in order along theirs, each
+    // would take the edges of the one before.
+    auto order =
+        insertion_order(far.samples, d_.samples_.extent(), [this](SampleSlot sample) { return position_of(sample); });
+    const std::size_t count = part.samples.size() + far.samples.size();
+    const auto position = [&](std::size_t i) {
+      const bool is_far = i >= part.samples.size();
+      return position_of(is_far ? far.samples[i - part.samples.size()] : part.samples[i]);
+    };
+    if (part.triangulation.dimension() < 2 && count_on_line(count, position) == count) sort_along(order, far.before);
     FaceHandle hint;
     std::uint64_t done = 0;
-    for (const SampleSlot sample : far.samples) {
-      if ((++done & 1023U) == 0) job.checkpoint(done, far.samples.size());
-      const SiteSlot site = d_.site_of_sample_[sample];
+    for (const Keyed<SampleSlot>& item : order) {
+      if ((++done & 1023U) == 0) job.checkpoint(done, order.size());
+      const SiteSlot site = d_.site_of_sample_[item.slot];
       const Vec2 p = d_.site_position_[site];
       const VertexHandle v = part.triangulation.insert(Point(p.x, p.y), hint);
       v->info().slot = site;
@@ -235,6 +246,24 @@ class Delaunay::Mirror final : public Delaunay::MirrorBase, private Delaunay::Ro
       hint = v->face();
     }
     part.samples.insert(part.samples.end(), far.samples.begin(), far.samples.end());
+  }
+
+  // While all sites lie on a line, CGAL looks through them for each new one, unless that lies beyond the ends.
+  void leave_line_early(std::vector<Keyed<SampleSlot>>& order) const {
+    const std::size_t on_line =
+        count_on_line(order.size(), [&](std::size_t i) { return position_of(order[i].slot); });
+    constexpr std::size_t kFew = 64;
+    if (on_line == order.size()) {
+      sort_along(order, SweepOrder{});
+    } else if (on_line > kFew) {
+      const auto corner = order.begin() + static_cast<std::ptrdiff_t>(on_line);
+      std::rotate(order.begin(), corner, corner + 1);
+    }
+  }
+  void sort_along(std::vector<Keyed<SampleSlot>>& order, SweepOrder before) const {
+    std::ranges::stable_sort(order, [&](const Keyed<SampleSlot>& a, const Keyed<SampleSlot>& b) {
+      return before(position_of(a.slot), position_of(b.slot));
+    });
   }
 
   SiteSlot bind_new_site(VertexHandle v, Vec2 p) {
