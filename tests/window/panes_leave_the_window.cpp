@@ -176,6 +176,7 @@ TEST_CASE("a pane with a camera of its own is zoomed alone, and comes back with 
   static_cast<void>(screen.settled());
   screen.xdotool("mousemove " + std::to_string(kBeside + kMiddle) + " 500 click 4 click 4 click 4");
   REQUIRE(eventually([&] { return has_roofs(true, false); }));
+  static_cast<void>(screen.settled());  // the view glides
   // A sample that is inserted there lies where that pane shows it: near to the middle, in the other one.
   window.press("i");
   screen.click({kBeside + kMiddle + 60, 500});
