@@ -139,7 +139,7 @@ double App::next_wait() {
 
 void App::wait_for_event() {
   GlfwWindow& window = *screen_.window;
-  // Who asks would wait for seconds until it has faded.
+  // A notice takes seconds to fade, and the window rests only after that.
   if (window.is_asked_for_rest() && panels_.next_due(ImGui::GetTime())) {
     panels_.end_what_fades();
     screen_.clock.want(1);

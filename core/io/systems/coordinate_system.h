@@ -30,10 +30,10 @@ struct CoordinateSystem {
   friend bool operator==(const CoordinateSystem&, const CoordinateSystem&) = default;
 };
 
-/// Finds a system by any text that PROJ understands, but for parts of names. A system that an authority defines gets its code, however it was
-/// described. The horizontal part is taken of a system with heights. The default members describe longitude and
-/// latitude on WGS 84, for which neither PROJ nor its database is needed. Error: `bad_input`, if PROJ does not know it,
-/// if it is not a system on the Earth's surface, or if the text has more than 65,536 bytes.
+/// Finds a system by any text that PROJ understands; a name has to be whole. A system that an authority defines gets
+/// its code, however it was described. The horizontal part is taken of a system with heights. The default members
+/// describe longitude and latitude on WGS 84, for which neither PROJ nor its database is needed. Error: `bad_input`, if
+/// PROJ does not know it, if it is not a system on the Earth's surface, or if the text has more than 65,536 bytes.
 ///
 /// Cost: 50 ms for the first system, less for later ones; a hundred systems that were found are kept. Threads: any.
 ///

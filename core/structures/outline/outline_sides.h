@@ -77,7 +77,7 @@ struct OutlineFaults {
   std::size_t repeated = 0;   ///< times that an outline runs along a side of its own again
 };
 
-/// Those of the closed curves that have straight sides alone, decided exactly. Throws `Cancelled`. Cost: as
+/// Counts the faults of closed curves whose sides are all straight, exactly. Throws `Cancelled`. Cost: as
 /// `OutlineSides`.
 OutlineFaults faults_of_outlines(std::span<const PlaneCurve> curves, JobControl& job);
 

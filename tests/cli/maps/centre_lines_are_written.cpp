@@ -447,7 +447,7 @@ TEST_CASE("an outline without a width is named as such") {
   CHECK(Json::parse(together.out)["features"].size() == 1);
 }
 
-TEST_CASE("outlines that cross or repeat themselves are told of, and their lines are written") {
+TEST_CASE("a remark names outlines that cross or repeat themselves, and their lines are written") {
   const auto remarks = [](const std::string& input, const std::vector<std::string>& options = {}) {
     const RunResult result = run(with({"centerline", "-"}, options), {.input = input});
     CHECK(result.exit_code == 0);

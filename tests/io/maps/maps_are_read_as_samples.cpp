@@ -84,7 +84,7 @@ TEST_CASE("a line that ends where it begins is a ring") {
   CHECK(read_map("LINESTRING (0 0, 1 0, 0 0)").data.contours == Contours{{false, {0, 1}}});
 }
 
-TEST_CASE("holes that lie outside their polygon are told of") {
+TEST_CASE("a remark counts holes that lie outside their polygon") {
   const auto told = [](const std::string& text) {
     const LoadedFile file = read_map(text);
     return file.warnings.empty() ? std::string() : file.warnings.back();
