@@ -128,13 +128,16 @@ std::string remark_on_outlines(const SampleData& data, JobControl& job) {
   if (!data.source || !data.source->curves) return {};
   const OutlineFaults faults = faults_of_outlines(data.source->curves->curves, job);
   std::string out;
+  const auto add = [&out](const std::string& text) { out += (out.empty() ? "" : "; ") + text; };
+  if (faults.same != 0)
+    add(faults.same == 1 ? std::string("an outline repeats another one, and counts once")
+                         : fmt::format("{} outlines repeat others, and count once", faults.same));
   if (faults.crossings != 0)
-    out = fmt::format("sides of outlines cross {}, and what an even number of outlines encloses counts as outside",
-                      faults.crossings == 1 ? "once" : fmt::format("{} times", faults.crossings));
+    add(fmt::format("sides of outlines cross {}, and what an even number of outlines encloses counts as outside",
+                    faults.crossings == 1 ? "once" : fmt::format("{} times", faults.crossings)));
   if (faults.repeated != 0)
-    out += fmt::format("{}outlines run along {} of their own again, and such sides may bound nothing",
-                       out.empty() ? "" : "; ",
-                       faults.repeated == 1 ? "a side" : fmt::format("{} sides", faults.repeated));
+    add(fmt::format("outlines run along {} of their own again, and such sides may bound nothing",
+                    faults.repeated == 1 ? "a side" : fmt::format("{} sides", faults.repeated)));
   return out;
 }
 

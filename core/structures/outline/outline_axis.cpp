@@ -84,11 +84,10 @@ void OutlineAxis::rebuild(JobControl& job) {
   tolerance_ = 0.0;
   OutlineSides sides;
   if (const auto& source = source_.current()) {
-    const double tolerance = outline_tolerance(source->curves->curves);
-    for (const PlaneCurve& curve : source->curves->curves) {
-      sides.add(curve, tolerance);
-      if (!curve.is_polyline()) tolerance_ = tolerance;
-    }
+    const std::vector<PlaneCurve>& curves = source->curves->curves;
+    const double tolerance = outline_tolerance(curves);
+    sides.add(curves, tolerance);
+    if (!std::ranges::all_of(curves, &PlaneCurve::is_polyline)) tolerance_ = tolerance;
   } else {
     for (std::size_t i = 0; i < contours_.row_count(); ++i) {
       const ContourSlot row(i);

@@ -3,11 +3,14 @@
 
 #include <fmt/core.h>
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <map>
 #include <numeric>
 #include <tuple>
+#include <unordered_map>
 #include <utility>
 
 #include "core/base/error.h"
@@ -158,6 +161,74 @@ void for_each_crossing(std::span<const OutlineSide> sides, JobControl& job, auto
   }
 }
 
+bool is_same(const Piece& a, const Piece& b) {
+  return a.kind == b.kind && a.points == b.points && a.arc == b.arc;
+}
+
+/// The pieces that are no points. A closed curve that goes around several times in the same way has those of one time.
+std::vector<Piece> pieces_of(const PlaneCurve& curve) {
+  std::vector<Piece> out;
+  curve.for_each_piece([&](const Piece& piece) {
+    if (piece.kind != PieceKind::line || piece.from() != piece.to()) out.push_back(piece);
+  });
+  if (!curve.is_closed() || out.empty()) return out;
+  // The border of a beginning is the longest shorter one with which it ends as well (Knuth, Morris and Pratt, 1977).
+  std::vector<std::size_t> border(out.size(), 0);
+  for (std::size_t i = 1; i < out.size(); ++i) {
+    std::size_t size = border[i - 1];
+    while (size != 0 && !is_same(out[size], out[i])) size = border[size - 1];
+    border[i] = is_same(out[size], out[i]) ? size + 1 : 0;
+  }
+  const std::size_t period = out.size() - border.back();
+  if (out.size() % period == 0) out.resize(period);
+  return out;
+}
+
+/// Whether two closed curves are the same in the same direction, wherever they begin.
+bool go_around_alike(std::span<const Piece> a, std::span<const Piece> b) {
+  if (a.size() != b.size()) return false;
+  const auto first = std::ranges::find_if(b, [&](const Piece& piece) { return is_same(piece, a.front()); });
+  const auto rest = static_cast<std::size_t>(b.end() - first);
+  return std::ranges::equal(a.first(rest), b.last(rest), is_same) &&
+         std::ranges::equal(a.last(a.size() - rest), b.first(b.size() - rest), is_same);
+}
+
+/// A number that does not depend on where the curve begins.
+std::uint64_t fingerprint(std::span<const Piece> pieces) {
+  std::uint64_t sum = 0;
+  for (const Piece& piece : pieces) {
+    std::uint64_t own = 0;
+    for (const double x : {piece.from().x, piece.from().y, piece.to().x, piece.to().y}) {
+      constexpr std::uint64_t kOdd = 0x9e3779b97f4a7c15U;                         // 2^64 over the golden ratio
+      own = std::rotl((own ^ std::bit_cast<std::uint64_t>(x + 0.0)) * kOdd, 29);  // + 0.0: -0 equals 0
+    }
+    sum += own;
+  }
+  return sum;
+}
+
+/// Calls `use(curve, pieces)` for each curve that has pieces, except closed ones that repeat another one. Returns how
+/// many these were.
+std::size_t for_each_outline(std::span<const PlaneCurve> curves, auto use) {
+  std::unordered_map<std::uint64_t, std::vector<const PlaneCurve*>> alike;
+  std::size_t repeats = 0;
+  for (const PlaneCurve& curve : curves) {
+    const std::vector<Piece> pieces = pieces_of(curve);
+    if (pieces.empty()) continue;
+    if (curve.is_closed()) {
+      std::vector<const PlaneCurve*>& others = alike[fingerprint(pieces)];
+      const auto is_repeat = [&](const PlaneCurve* other) { return go_around_alike(pieces, pieces_of(*other)); };
+      if (std::ranges::any_of(others, is_repeat)) {
+        ++repeats;
+        continue;
+      }
+      others.push_back(&curve);
+    }
+    use(curve, pieces);
+  }
+  return repeats;
+}
+
 /// All ends, each once, sorted.
 std::vector<Vec2> ends_of(std::span<const OutlineSide> sides) {
   std::vector<Vec2> out;
@@ -184,19 +255,23 @@ bool SmoothPlace::is_next_to(const SmoothPlace& other) const {
 OutlineFaults faults_of_outlines(std::span<const PlaneCurve> curves, JobControl& job) {
   OutlineFaults out;
   std::vector<OutlineSide> sides;
-  for (const PlaneCurve& curve : curves) {
-    if (!curve.is_closed() || !curve.is_polyline()) continue;
+  out.same = for_each_outline(curves, [&](const PlaneCurve& curve, std::span<const Piece> pieces) {
+    if (!curve.is_closed() || !curve.is_polyline()) return;
     const auto begin = static_cast<std::ptrdiff_t>(sides.size());
-    for (std::size_t i = 0; i + 1 < curve.points().size(); ++i) {
-      const auto [from, to] = std::minmax(curve.points()[i], curve.points()[i + 1], lexicographically_less);
-      if (from != to) sides.push_back({from, to});
+    for (const Piece& piece : pieces) {
+      const Vec2 start = piece.from();
+      const Vec2 end = piece.to();
+      const auto [from, to] = std::minmax(start, end, lexicographically_less);
+      sides.push_back({from, to});
     }
     std::sort(sides.begin() + begin, sides.end(), by_ends);
-    const auto is_same = [](const OutlineSide& a, const OutlineSide& b) { return a.from == b.from && a.to == b.to; };
-    const auto rest = std::unique(sides.begin() + begin, sides.end(), is_same);
+    const auto are_equal = [](const OutlineSide& a, const OutlineSide& b) {
+      return a.from == b.from && a.to == b.to;
+    };
+    const auto rest = std::unique(sides.begin() + begin, sides.end(), are_equal);
     out.repeated += static_cast<std::size_t>(sides.end() - rest);
     sides.erase(rest, sides.end());
-  }
+  });
   for_each_crossing(sides, job, [&](std::uint32_t, std::uint32_t) { return ++out.crossings <= kMostCrossings; });
   return out;
 }
@@ -216,15 +291,16 @@ void OutlineSides::add(Vec2 from, Vec2 to, bool is_of_closed_contour) {
   add(from, to, is_of_closed_contour, SmoothPlace{});
 }
 
-void OutlineSides::add(const PlaneCurve& curve, double tolerance) {
-  std::vector<Piece> pieces;
-  curve.for_each_piece([&](const Piece& piece) {
-    if (piece.kind != PieceKind::line || piece.from() != piece.to()) pieces.push_back(piece);
+void OutlineSides::add(std::span<const PlaneCurve> curves, double tolerance) {
+  for_each_outline(curves, [&](const PlaneCurve& curve, std::span<const Piece> pieces) {
+    add(pieces, curve.is_closed(), tolerance);
   });
+}
+
+void OutlineSides::add(std::span<const Piece> pieces, bool is_closed, double tolerance) {
   const std::size_t count = pieces.size();
-  if (count == 0) return;
   const auto goes_on_after = [&](std::size_t i) {
-    if (i + 1 == count && !curve.is_closed()) return false;
+    if (i + 1 == count && !is_closed) return false;
     const Piece& next = pieces[(i + 1) % count];
     if (pieces[i].kind == PieceKind::line && next.kind == PieceKind::line) return false;
     return go_on(pieces[i].last_direction(), next.first_direction());
@@ -247,7 +323,7 @@ void OutlineSides::add(const PlaneCurve& curve, double tolerance) {
       add_chords(piece, tolerance, kMostHalvings, ends);
     Vec2 at = piece.from();
     for (const Vec2 end : ends) {
-      add(at, end, curve.is_closed(), place);
+      add(at, end, is_closed, place);
       if (at != end) place.number += 2;
       at = end;
     }

@@ -3,7 +3,8 @@
 //
 // Guarantees:
 //  1. Sides are different, and two of them have at most one point in common: an end of both.
-//  2. The sides depend on the outline as a set: not on the order of contours, their directions, or where they begin.
+//  2. The sides depend on the outline as a set: not on the order of contours, where they begin, or their directions,
+//     unless two are the same: in one direction they count once, in opposite ones they are the border of both.
 //  3. Straight sides are exact. A vertex that lies exactly on a side splits it, as where parcels meet in a T. Sides that
 //     cross are split at the crossing, rounded to doubles, or at an end or another crossing that lies within 2^-44 of the
 //     largest coordinate. This alone moves sides.
@@ -46,8 +47,10 @@ struct OutlineSide {
 class OutlineSides {
  public:
   void add(Vec2 from, Vec2 to, bool is_of_closed_contour);
-  /// Curved pieces become chords that leave them by at most `tolerance` and turn by at most 1/16.
-  void add(const PlaneCurve& curve, double tolerance);
+  /// Curved pieces become chords that leave them by at most `tolerance` and turn by at most 1/16. A closed curve that
+  /// goes around several times in the same way counts once, and so do closed curves that are the same in the same
+  /// direction.
+  void add(std::span<const PlaneCurve> curves, double tolerance);
   /// Splits sides where others end on them or cross them, merges equal ones, and sorts them by their ends. Throws
   /// `Cancelled`, `GeometryError` if rounded crossings cause new crossings again and again, and `SizeRefusal` for more than
   /// 200,000 crossings.
@@ -57,6 +60,7 @@ class OutlineSides {
 
  private:
   void add(Vec2 from, Vec2 to, bool is_of_closed_contour, const SmoothPlace& smooth);
+  void add(std::span<const Piece> pieces, bool is_closed, double tolerance);
 
   using Cut = std::pair<std::uint32_t, Vec2>;  // a side, and a point that splits it
   enum class Cuts : std::uint8_t { on_sides, beside_sides };
@@ -75,6 +79,7 @@ class OutlineSides {
 struct OutlineFaults {
   std::size_t crossings = 0;  ///< pairs of sides that cross, not at an end; counted no further than 200,001
   std::size_t repeated = 0;   ///< times that an outline runs along a side of its own again
+  std::size_t same = 0;       ///< outlines that repeat another one, all of it, and count once
 };
 
 /// Counts the faults of closed curves whose sides are all straight, exactly. Throws `Cancelled`. Cost: as

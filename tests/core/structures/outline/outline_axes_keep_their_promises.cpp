@@ -289,6 +289,58 @@ TEST_CASE("sides may cross many times, but not by the hundred thousand") {
   CHECK_THROWS_AS(spokes(1000).take(job), SizeRefusal);
 }
 
+TEST_CASE("an outline that is there several times, or goes around several times, counts once") {
+  const Ring triangle{{0.0, 0.0}, {8.0, 1.0}, {3.0, 6.0}};
+  const Ring turned{triangle[1], triangle[2], triangle[0]};
+  Ring twice = triangle;
+  twice.insert(twice.end(), triangle.begin(), triangle.end());
+  const auto curves_of = [](const std::vector<Ring>& rings) {
+    std::vector<PlaneCurve> out;
+    for (const Ring& ring : rings) {
+      PlaneCurve& curve = out.emplace_back(ring.front());
+      curve.lines_to(std::span(ring).subspan(1));
+      curve.close();
+    }
+    return out;
+  };
+  const auto axis_of = [&](const std::vector<Ring>& rings) {
+    return pieces_of(AxisBench(data_of_curves(curves_of(rings))).axis(), 1.0);
+  };
+  const auto faults_of = [&](const std::vector<Ring>& rings) {
+    JobControl job;
+    return faults_of_outlines(curves_of(rings), job);
+  };
+  const std::vector<PlainPiece> once = axis_of({triangle});
+  REQUIRE(!once.empty());
+  CHECK(axis_of({triangle, turned, triangle}) == once);
+  CHECK(faults_of({triangle, turned, triangle}).same == 2);
+  CHECK(axis_of({twice}) == once);
+  CHECK(faults_of({twice}).repeated == 0);
+  // In the other direction the second outline is that of a shape beyond the border.
+  const Ring back(triangle.rbegin(), triangle.rend());
+  CHECK(axis_of({triangle, back}).empty());
+  // A circle of two arcs, from either end.
+  PlaneCurve circle({2.0, 0.0});
+  PlaneCurve other({-2.0, 0.0});
+  const EllipticArc upper{{}, {2.0, 0.0}, {0.0, 2.0}, 0.0, std::numbers::pi};
+  const EllipticArc lower{{}, {2.0, 0.0}, {0.0, 2.0}, std::numbers::pi, std::numbers::pi};
+  circle.arc_to(upper, {-2.0, 0.0});
+  circle.arc_to(lower, {2.0, 0.0});
+  circle.close();
+  other.arc_to(lower, {2.0, 0.0});
+  other.arc_to(upper, {-2.0, 0.0});
+  other.close();
+  OutlineSides sides;
+  OutlineSides sides_of_both;
+  sides.add(std::vector{circle}, 0.01);
+  sides_of_both.add(std::vector{circle, other}, 0.01);
+  JobControl job;
+  const std::vector<OutlineSide> wanted = sides.take(job);
+  const std::vector<OutlineSide> both = sides_of_both.take(job);
+  REQUIRE(both.size() == wanted.size());
+  CHECK(std::ranges::all_of(both, &OutlineSide::separates));
+}
+
 TEST_CASE("crossings and repeated sides of outlines are those of all pairs") {
   constexpr int kPlaces = 12;
   Rng random(42);
