@@ -37,6 +37,7 @@ constexpr std::string_view kBinary = "AutoCAD Binary DXF";
 struct Block {
   Vec2 base{};
   std::vector<DxfEntity> entities{};
+  bool is_open = false;  ///< it is being drawn
 };
 
 class DxfReader {
@@ -495,6 +496,11 @@ class DxfReader {
       leave_out(entity, "block that is not there", "blocks that are not there");
       return {};
     }
+    Block& block = found->second;
+    if (block.is_open) {
+      leave_out(entity, "block inside itself", "blocks inside themselves");
+      return {};
+    }
     if (depth >= kDeepestBlock) return refuse(entity.front(), "blocks are nested too deeply");
     const auto at = point(entity, 10);
     if (!at) return std::unexpected(at.error());
@@ -509,15 +515,16 @@ class DxfReader {
     constexpr double kMostRows = 10'000.0;
     if (!(columns <= kMostRows && rows <= kMostRows))
       return refuse(entity.front(), fmt::format("a block is inserted in more than {} rows or columns", kMostRows));
-    const Vec2 base = found->second.base;
     const Affine turned = map * Affine::translation(at->x, at->y) * Affine::rotation(kDegree * angle);
+    block.is_open = true;
     for (int row = 0; row < std::max(rows, 1.0); ++row)
       for (int column = 0; column < std::max(columns, 1.0); ++column) {
         const Affine placed = turned * Affine::translation(column * column_step, row * row_step) *
-                              Affine::scaling(x_scale, y_scale) * Affine::translation(-base.x, -base.y);
-        if (auto done = draw_all(found->second.entities, placed, depth + 1); !done) return done;
+                              Affine::scaling(x_scale, y_scale) * Affine::translation(-block.base.x, -block.base.y);
+        if (auto done = draw_all(block.entities, placed, depth + 1); !done) return done;
         if (++drawn_ > kMostEntities) return refuse(entity.front(), "blocks are inserted too often");
       }
+    block.is_open = false;
     return {};
   }
 

@@ -34,6 +34,7 @@ class GdalMessages {
   GdalMessages(const GdalMessages&) = delete;
   GdalMessages& operator=(const GdalMessages&) = delete;
 
+  bool were_any() const { return *gdal_.last_error() != '\0'; }
   std::unexpected<Error> problem(std::string text, const std::string& file) const {
     // Names in the memory of GDAL, and options of its programs, say nothing to a user.
     const std::string reason = one_line(gdal_.last_error());
@@ -169,7 +170,9 @@ Expected<std::string> geojson_by_gdal(std::string_view bytes, const std::string&
                                        "-preserve_fid", "-lco", "SIGNIFICANT_FIGURES=17", gdal.layer_name(layer)},
                                       job);
     const std::string_view written = text.bytes();
-    if (!is_written || !written.starts_with('{'))
+    // A layer that is cut short may end without an error.
+    const bool is_empty = !written.contains("\"Feature\"") && gdal.feature_count(layer, 0) > 0;
+    if (!is_written || is_empty || !written.starts_with('{'))
       return messages.problem(fmt::format("GDAL cannot read layer {} to its end", in_quotes(gdal.layer_name(layer))),
                               name);
     out += R"({"crs":{"type":"name","properties":{"name":)";
@@ -177,6 +180,7 @@ Expected<std::string> geojson_by_gdal(std::string_view bytes, const std::string&
     out += "}},";
     out += written.substr(1);
   }
+  if (out.empty() && messages.were_any()) return messages.problem("GDAL cannot read the map", name);
   if (out.empty()) return std::unexpected(Error{ErrorCode::bad_input, "no layer of the map has geometries", name});
   return out;
 }

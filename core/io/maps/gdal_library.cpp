@@ -45,6 +45,7 @@ LoadedGdal load_gdal() {
   find(gdal.layer, "GDALDatasetGetLayer");
   find(gdal.layer_name, "OGR_L_GetName");
   find(gdal.geometry_type, "OGR_L_GetGeomType");
+  find(gdal.feature_count, "OGR_L_GetFeatureCount");
   find(gdal.system, "OGR_L_GetSpatialRef");
   find(gdal.is_local, "OSRIsLocal");
   find(gdal.identify, "OSRAutoIdentifyEPSG");

@@ -23,6 +23,7 @@ struct GdalLibrary {
   Layer (*layer)(Dataset, int) = nullptr;
   const char* (*layer_name)(Layer) = nullptr;
   int (*geometry_type)(Layer) = nullptr;
+  long long (*feature_count)(Layer, int is_forced) = nullptr;
   System (*system)(Layer) = nullptr;
   int (*is_local)(System) = nullptr;
   int (*identify)(System) = nullptr;

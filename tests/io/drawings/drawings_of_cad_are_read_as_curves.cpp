@@ -140,10 +140,16 @@ TEST_CASE("blocks stand where they are inserted, scaled, turned, and in rows") {
   CHECK(box.low.x == Approx(-10.0));
   CHECK(box.high.x == Approx(41.0));
   CHECK(turned.data.contours.size() == 3);
-  // A block within itself, and one that is not there.
-  check_refused(
-      "0\nSECTION\n2\nBLOCKS\n0\nBLOCK\n2\nB\n0\nINSERT\n2\nB\n0\nENDBLK\n0\nENDSEC\n" + entities("0 INSERT 2 B"),
-      "10:1: blocks are nested too deeply");
+  // A block within itself is drawn without that, and one that is not there is nothing.
+  const std::string inside_itself =
+      "0\nSECTION\n2\nBLOCKS\n0\nBLOCK\n2\nB\n0\nLINE\n10\n0\n20\n0\n11\n2\n21\n0\n0\nINSERT\n2\nB\n0\nENDBLK\n0\nENDSEC\n";
+  const LoadedFile recursive = read_cad(inside_itself + entities("0 INSERT 2 B 0 INSERT 2 B 20 5"));
+  CHECK(recursive.data.contours.size() == 2);
+  CHECK(recursive.warnings == std::vector<std::string>{"a:20:1: 2 blocks inside themselves are left out"});
+  std::string nested = "0\nSECTION\n2\nBLOCKS\n";
+  for (int i = 0; i < 40; ++i)
+    nested += "0\nBLOCK\n2\nB" + std::to_string(i) + "\n0\nINSERT\n2\nB" + std::to_string(i + 1) + "\n0\nENDBLK\n";
+  check_refused(nested + "0\nENDSEC\n" + entities("0 INSERT 2 B0"), "320:1: blocks are nested too deeply");
   check_refused(entities("0 INSERT 2 B"), "1:1: nothing is drawn in it; 1 block that is not there is left out");
   check_refused(blocks + entities("0 INSERT 2 B 70 10001"),
                 "32:1: a block is inserted in more than 10000 rows or columns");
