@@ -45,8 +45,10 @@ class SystemSearch {
  public:
   explicit SystemSearch(const ProjLibrary& proj) : proj_(proj), context_(new_context(proj)) {}
 
-  Expected<CoordinateSystem> find(const std::string& text) {
-    ProjObject whole = owned(proj_.create(context_.get(), text.c_str()));
+  Expected<CoordinateSystem> find(std::string_view text) {
+    if (text.contains("+proj=pipeline")) return fail(in_quotes(text) + " is a conversion, not a coordinate system");
+    const std::string wanted = as_proj_expects(text);
+    ProjObject whole = owned(proj_.create(context_.get(), wanted.c_str()));
     if (!whole) {
       if (proj_.context_get_database_path(context_.get()) == nullptr) return fail("PROJ does not find its proj.db");
       return fail(in_quotes(text) + " is not a coordinate system that PROJ knows");
@@ -62,11 +64,18 @@ class SystemSearch {
     if (!out.is_geographic && type != PJ_TYPE_PROJECTED_CRS)
       return fail(in_quotes(text) + " is not a coordinate system of the Earth's surface");
     out.name = printable(proj_.get_name(system));
-    if (is_plain_name(text) && letters_of(text) != letters_of(out.name))
+    if (is_plain_name(wanted) && letters_of(text) != letters_of(out.name))
       return fail(fmt::format("{} names no coordinate system, though it is part of {}", in_quotes(text),
                               in_quotes(out.name)));
     out.id = is_bound ? wkt_of(whole.get()) : id_of(system);
     if (is_wgs84(out.id)) return CoordinateSystem{};
+    // What is made of parameters has no name, so that messages and files have the parameters.
+    constexpr std::string_view kNoName = R"("unknown")";
+    if (const std::size_t at = out.id.find(kNoName);
+        text.starts_with('+') && !text.contains('"') && at != std::string::npos) {
+      out.name = printable(text);
+      out.id.replace(at, kNoName.size(), fmt::format(R"("{}")", out.name));
+    }
     if (out.id.empty() || !read_axes(system, out) || !read_ellipsoid(system, out))
       return fail(in_quotes(text) + " is a coordinate system that PROJ cannot describe");
     return out;
@@ -134,8 +143,9 @@ std::string CoordinateSystem::title() const {
 }
 
 Expected<CoordinateSystem> find_coordinate_system(std::string_view text) {
-  const std::string wanted = as_proj_expects(trimmed(text));
-  if (wanted.empty() || is_wgs84(wanted) || wanted == "urn:ogc:def:crs:OGC:1.3:CRS84") return CoordinateSystem{};
+  const std::string wanted(trimmed(text));
+  if (wanted.empty() || is_wgs84(as_proj_expects(wanted)) || wanted == "urn:ogc:def:crs:OGC:1.3:CRS84")
+    return CoordinateSystem{};
   constexpr std::size_t kLongest = 65536;
   if (wanted.size() > kLongest)
     return std::unexpected(Error{ErrorCode::bad_input, fmt::format("a coordinate system of {} bytes is too long; the "

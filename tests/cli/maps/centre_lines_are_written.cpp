@@ -530,6 +530,13 @@ TEST_CASE("a coordinate system is chosen by its whole name or its code") {
   }
   for (const char* const part : {"foo", "WGS", "Amersf"})
     CHECK_THAT(line_fault(2, {"-", "--crs", part}, kStrip), Catch::Contains("names no coordinate system"));
+  const RunResult nameless = run({"centerline", "-", "--crs", "+proj=utm +zone=32"}, {.input = kStrip});
+  CHECK(nameless.exit_code == 0);
+  CHECK_THAT(nameless.err, Catch::Contains("coordinates are those of +proj=utm +zone=32, in m"));
+  CHECK_THAT(line_fault(2, {"-", "--crs", "+proj=nothing"}, kStrip),
+             Catch::Contains("\"+proj=nothing\" is not a coordinate system"));
+  CHECK_THAT(line_fault(2, {"-", "--crs", "+proj=pipeline +step +proj=utm +zone=32"}, kStrip),
+             Catch::Contains("is a conversion, not a coordinate system"));
 }
 
 TEST_CASE("the samples of a session stay, and those of a drawing are taken again") {

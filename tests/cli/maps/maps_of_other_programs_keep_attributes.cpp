@@ -337,8 +337,9 @@ TEST_CASE("a map that GDAL cannot read is one line") {
     CHECK_THAT(map_fault(3, {"centerline", file, "--each"}), Catch::Contains("cut.gpkg: "));
   }
   for (std::size_t size = 8; size < flat.size(); size += flat.size() / 7)
-    CHECK_THAT(map_fault(3, {"compute", "-"}, flat.substr(0, size)),
-               Catch::Contains("-: ") && !Catch::Contains("no layer of the map") && !Catch::Contains("nothing in it"));
+    CHECK_THAT(map_fault(3, {"compute", "-"}, flat.substr(0, size)), Catch::Contains("-: ") &&
+                                                                         !Catch::Contains("no layer of the map") &&
+                                                                         !Catch::Contains("nothing in it"));
   CHECK_THAT(map_fault(3, {"centerline", "-", "--each"}, shapes), Catch::Contains("-: "));
   const std::string garbage = folder.write("garbage.gpkg", "garbage\x01\x02").string();
   CHECK_THAT(map_fault(3, {"compute", garbage}),

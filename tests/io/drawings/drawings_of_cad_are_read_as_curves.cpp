@@ -142,7 +142,8 @@ TEST_CASE("blocks stand where they are inserted, scaled, turned, and in rows") {
   CHECK(turned.data.contours.size() == 3);
   // A block within itself is drawn without that, and one that is not there is nothing.
   const std::string inside_itself =
-      "0\nSECTION\n2\nBLOCKS\n0\nBLOCK\n2\nB\n0\nLINE\n10\n0\n20\n0\n11\n2\n21\n0\n0\nINSERT\n2\nB\n0\nENDBLK\n0\nENDSEC\n";
+      "0\nSECTION\n2\nBLOCKS\n0\nBLOCK\n2\nB\n0\nLINE\n10\n0\n20\n0\n11\n2\n21\n0\n0\nINSERT\n2\nB\n0\nENDBLK\n0\nEND"
+      "SEC\n";
   const LoadedFile recursive = read_cad(inside_itself + entities("0 INSERT 2 B 0 INSERT 2 B 20 5"));
   CHECK(recursive.data.contours.size() == 2);
   CHECK(recursive.warnings == std::vector<std::string>{"a:20:1: 2 blocks inside themselves are left out"});
