@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cstddef>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -92,6 +93,33 @@ std::vector<Row> in_rounds(std::size_t count) {
   std::vector<Row> order(count);
   for (std::size_t i = 0; i < count; ++i) order[start[round[i]]++] = Row(i);
   return order;
+}
+
+/// Number of positions before the first that does not lie on one line with all before it. `position(i)` returns position
+/// i of `count`, and `orientation` decides about three of them.
+template <class Position, class Orientation>
+std::size_t count_on_line(std::size_t count, Position position, Orientation orientation) {
+  std::size_t second = 1;
+  while (second < count && position(second) == position(0)) ++second;
+  std::size_t out = second;
+  while (out < count && orientation(position(0), position(second), position(out)) == 0) ++out;
+  return std::min(out, count);
+}
+
+/// While all that it holds lies on a line, a triangulation of CGAL looks through it for each new point, unless that lies
+/// beyond the ends. So if all of the order lies on a line, it becomes that along the line, and one off the line comes
+/// first if many on the line would come before it. `less` compares positions along any line.
+template <class Row, class Position, class Orientation, class Less>
+void leave_line_early(std::vector<Row>& order, Position position, Orientation orientation, Less less) {
+  const std::size_t on_line = count_on_line(
+      order.size(), [&](std::size_t i) { return position(order[i]); }, orientation);
+  constexpr std::size_t kFew = 64;
+  if (on_line == order.size()) {
+    std::ranges::stable_sort(order, less, position);
+  } else if (on_line > kFew) {
+    const auto corner = order.begin() + static_cast<std::ptrdiff_t>(on_line);
+    std::rotate(order.begin(), corner, corner + 1);
+  }
 }
 
 }  // namespace mes

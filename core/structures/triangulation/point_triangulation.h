@@ -45,7 +45,13 @@ PointTriangulation point_triangulation(const Table<InputSlot, typename Kernel::P
   Dt dt;
   typename Dt::Face_handle hint{};
   std::size_t done = 0;
-  for (const InputSlot i : in_rounds<InputSlot>(points.size())) {
+  std::vector<InputSlot> order = in_rounds<InputSlot>(points.size());
+  using Point = typename Kernel::Point_2;
+  leave_line_early(
+      order, [&](InputSlot i) { return points[i]; },
+      [](const Point& a, const Point& b, const Point& c) { return typename Kernel::Orientation_2()(a, b, c); },
+      typename Kernel::Less_xy_2());
+  for (const InputSlot i : order) {
     if ((++done & 0x3fU) == 0) job.checkpoint(done, points.size());
     const std::size_t before = dt.number_of_vertices();
     const auto vertex = dt.insert(points[i], hint);

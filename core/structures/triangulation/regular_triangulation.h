@@ -134,7 +134,13 @@ RegularTables regular_triangulation(const Table<InputSlot, BallOf<typename Kerne
   Rt rt;
   typename Rt::Face_handle hint{};
   std::size_t done = 0;
-  for (const InputSlot ball_slot : in_rounds<InputSlot>(balls.size())) {
+  std::vector<InputSlot> order_of_insertion = in_rounds<InputSlot>(balls.size());
+  using Point = typename Kernel::Point_2;
+  leave_line_early(
+      order_of_insertion, [&](InputSlot i) { return Point(balls[i].x, balls[i].y); },
+      [](const Point& a, const Point& b, const Point& c) { return CGAL::orientation(a, b, c); },
+      [](const Point& a, const Point& b) { return CGAL::compare_xy(a, b) == CGAL::SMALLER; });
+  for (const InputSlot ball_slot : order_of_insertion) {
     if ((++done & 0x3fU) == 0) job.checkpoint(done, balls.size());
     if (!left_out.empty() && left_out[ball_slot]) {
       out.state[ball_slot] = BallState::hidden;

@@ -8,6 +8,7 @@
 
 #include "core/base/jobs/parallel.h"
 #include "core/kernel/filtered_kernel.h"
+#include "core/kernel/point_predicates.h"
 #include "core/structures/delaunay/delaunay.h"
 #include "core/structures/delaunay/internal/delaunay_rows.h"
 #include "core/structures/delaunay/internal/delaunay_stitch.h"
@@ -189,7 +190,8 @@ class Delaunay::Mirror final : public Delaunay::MirrorBase, private Delaunay::Ro
   void insert_all(Part& part, JobControl& job) {
     auto order = insertion_order(part.samples, d_.samples_.extent(),
                                  [this](SampleSlot sample) { return position_of(sample); });
-    leave_line_early(order);
+    leave_line_early(
+        order, [this](const Keyed<SampleSlot>& item) { return position_of(item.slot); }, orientation, SweepOrder{});
     // This order is not that of the rows: scattered data is read and written apart from the triangulation, so that no
     // step waits for it.
     std::vector<Vec2> positions;
@@ -233,7 +235,8 @@ class Delaunay::Mirror final : public Delaunay::MirrorBase, private Delaunay::Ro
       const bool is_far = i >= part.samples.size();
       return position_of(is_far ? far.samples[i - part.samples.size()] : part.samples[i]);
     };
-    if (part.triangulation.dimension() < 2 && count_on_line(count, position) == count) sort_along(order, far.before);
+    if (part.triangulation.dimension() < 2 && count_on_line(count, position, orientation) == count)
+      sort_along(order, far.before);
     FaceHandle hint;
     std::uint64_t done = 0;
     for (const Keyed<SampleSlot>& item : order) {
@@ -248,18 +251,6 @@ class Delaunay::Mirror final : public Delaunay::MirrorBase, private Delaunay::Ro
     part.samples.insert(part.samples.end(), far.samples.begin(), far.samples.end());
   }
 
-  // While all sites lie on a line, CGAL looks through them for each new one, unless that lies beyond the ends.
-  void leave_line_early(std::vector<Keyed<SampleSlot>>& order) const {
-    const std::size_t on_line =
-        count_on_line(order.size(), [&](std::size_t i) { return position_of(order[i].slot); });
-    constexpr std::size_t kFew = 64;
-    if (on_line == order.size()) {
-      sort_along(order, SweepOrder{});
-    } else if (on_line > kFew) {
-      const auto corner = order.begin() + static_cast<std::ptrdiff_t>(on_line);
-      std::rotate(order.begin(), corner, corner + 1);
-    }
-  }
   void sort_along(std::vector<Keyed<SampleSlot>>& order, SweepOrder before) const {
     std::ranges::stable_sort(order, [&](const Keyed<SampleSlot>& a, const Keyed<SampleSlot>& b) {
       return before(position_of(a.slot), position_of(b.slot));

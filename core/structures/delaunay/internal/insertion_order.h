@@ -34,17 +34,6 @@ std::vector<Keyed<SampleSlot>> insertion_order(const std::vector<SampleSlot>& sa
   return order;
 }
 
-/// Number of positions before the first that does not lie on one line with all before it; decided exactly.
-/// `position(i)` returns position i of `count`.
-template <class Position>
-std::size_t count_on_line(std::size_t count, Position position) {
-  std::size_t second = 1;
-  while (second < count && position(second) == position(0)) ++second;
-  std::size_t out = second;
-  while (out < count && orientation(position(0), position(second), position(out)) == 0) ++out;
-  return std::min(out, count);
-}
-
 /// Two sets of about the same size, divided by a line across the longer side: `near` comes before `far`. One of them
 /// is empty when all samples coincide.
 struct Halves {
