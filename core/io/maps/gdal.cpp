@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/lower_case.h"
 #include "core/io/format_spec.h"
 #include "core/io/maps/gdal_library.h"
 #include "core/io/text/text_numbers.h"
@@ -35,12 +36,13 @@ class GdalMessages {
   GdalMessages& operator=(const GdalMessages&) = delete;
 
   bool were_any() const { return *gdal_.last_error() != '\0'; }
-  std::unexpected<Error> problem(std::string text, const std::string& file) const {
+  std::unexpected<Error> problem(std::string text, const std::string& file,
+                                 ErrorCode code = ErrorCode::bad_input) const {
     // Names in the memory of GDAL, and options of its programs, say nothing to a user.
     const std::string reason = one_line(gdal_.last_error());
     const bool is_for_users = !reason.contains("/vsimem/") && !reason.contains("skipfailures");
     if (!reason.empty() && is_for_users) text += ": " + reason;
-    return std::unexpected(Error{ErrorCode::bad_input, std::move(text), file});
+    return std::unexpected(Error{code, std::move(text), file});
   }
 
  private:
@@ -145,6 +147,13 @@ void append_quoted(std::string& out, std::string_view text) {
   out += '"';
 }
 
+/// A name for a column that no property of the GeoJSON text has; names of columns do not differ in case.
+std::string free_column(std::string name, std::string_view geojson) {
+  const std::string text = lower_case(geojson);
+  while (text.contains(fmt::format("\"{}\":", name))) name.insert(0, "mesecina_");
+  return name;
+}
+
 }  // namespace
 
 Expected<std::string> geojson_by_gdal(std::string_view bytes, const std::string& name,
@@ -195,6 +204,11 @@ Expected<std::string> map_by_gdal(std::string_view geojson, const std::string& d
   text.hold(geojson);
   const GdalMemory file(gdal, driver == "GPKG" ? ".gpkg" : ".fgb");
   std::vector<std::string> arguments{"-f", driver, "-nln", "mesecina"};
+  if (driver == "GPKG") {
+    // GDAL takes a property "id" for the number of the row, and "geom" for the geometry.
+    arguments.insert(arguments.end(), {"-unsetFid", "-lco", "FID=" + free_column("fid", geojson), "-lco",
+                                       "GEOMETRY_NAME=" + free_column("geom", geojson)});
+  }
   if (!system)
     arguments.insert(arguments.end(), {"-a_srs", kPlane});
   else if (!system->empty())
@@ -204,7 +218,7 @@ Expected<std::string> map_by_gdal(std::string_view geojson, const std::string& d
   const GdalSet set = open_with(gdal, text.name(), kDrivers);
   const bool is_written = set != nullptr && translate(gdal, set.get(), file.name(), std::move(arguments), nullptr);
   gdal.set_thread_option("OGR_CURRENT_DATE", nullptr);
-  if (!is_written) return messages.problem("GDAL cannot write the map", {});
+  if (!is_written) return messages.problem("GDAL cannot write the map", {}, ErrorCode::cannot_write);
   return std::string(file.bytes());
 }
 

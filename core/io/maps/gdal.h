@@ -28,8 +28,9 @@ bool is_for_gdal(std::string_view bytes);
 
 /// A file with the features of a GeoJSON text of this program. `driver` is that of GDAL: "GPKG" or "FlatGeobuf".
 /// `system` is the coordinate system of the file, an authority and its code or WKT; empty: longitude and latitude on
-/// WGS 84, as in the text; nothing: the text is of a plane. Equal texts give equal bytes: the time of writing is not in
-/// them. Error: `bad_input`, if GDAL is not installed or refuses the text.
+/// WGS 84, as in the text; nothing: the text is of a plane. Properties are columns, whatever their names, and a GeoPackage
+/// has its own numbers of rows. Equal texts give equal bytes: the time of writing is not in them. Error: `bad_input`, if
+/// GDAL is not installed; `cannot_write`, if it refuses the text.
 Expected<std::string> map_by_gdal(std::string_view geojson, const std::string& driver,
                                   const std::optional<std::string>& system);
 

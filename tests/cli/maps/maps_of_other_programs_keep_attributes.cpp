@@ -326,6 +326,32 @@ TEST_CASE("a shapefile that is cut short or lacks what belongs beside it is one 
              Catch::Contains("-: the attributes of a shapefile"));
 }
 
+TEST_CASE("a GeoPackage keeps properties whose names it uses itself") {
+  const TemporaryFolder folder;
+  const std::string out = (folder / "stations.gpkg").string();
+  const std::string parcel =
+      R"({"type":"Feature","properties":{"id":7,"FID":"P-17","geom":null},"geometry":)"
+      R"({"type":"Polygon","coordinates":[[[8,47],[8.01,47],[8.01,47.003],[8,47.003],[8,47]]]}})";
+  const RunResult written = run({"centerline", "-", "--each", "--every", "100", "-o", out}, {.input = parcel});
+  INFO(written.err);
+  REQUIRE(written.exit_code == 0);
+  const Json stations = features_by_ogr(out)["features"];
+  REQUIRE(stations.size() > 2);
+  double before = -1.0;
+  for (const Json& station : stations) {
+    const Json& properties = station["properties"];
+    CHECK(properties["id"] == 7);
+    CHECK(properties["FID"] == "P-17");
+    CHECK(properties["geom"].is_null());
+    CHECK(properties["station"].get<double>() > before);
+    before = properties["station"].get<double>();
+  }
+  // The names are the usual ones where no property has them.
+  const std::string plain = (folder / "plain.gpkg").string();
+  REQUIRE(run({"centerline", parcels_as(folder, "a.fgb"), "-o", plain}).exit_code == 0);
+  CHECK_THAT(told_by_ogr(plain), Catch::Contains("FID Column = fid") && Catch::Contains("Geometry Column = geom"));
+}
+
 TEST_CASE("a map that GDAL cannot read is one line") {
   const TemporaryFolder folder;
   const std::string package = contents_of(parcels_as(folder, "a.gpkg"));
