@@ -55,9 +55,65 @@ double strip_ratio(const PlaneCurve& curve) {
   return box.width() / box.height();
 }
 
-/// True if the outline is too thin to be sampled.
-bool is_thin(const PlaneCurve& curve) {
-  return kSamplesOfRatio * strip_ratio(curve) > kMostOutlineSamples;
+std::string counted(std::size_t count, const std::string& one) {
+  return count == 1 ? "1 " + one : fmt::format("{} {}s", count, one);
+}
+
+void keep_curves(std::shared_ptr<const CurveSet>& curves, std::vector<Vec2> points, auto is_kept) {
+  auto kept = std::make_shared<CurveSet>(CurveSet{{}, std::move(points), curves->resolution});
+  std::ranges::copy_if(curves->curves, std::back_inserter(kept->curves), is_kept);
+  curves = std::move(kept);
+}
+
+void leave_out_lines_beside_areas(std::shared_ptr<const CurveSet>& curves, std::vector<std::string>& remarks) {
+  const auto open = static_cast<std::size_t>(
+      std::ranges::count_if(curves->curves, [](const PlaneCurve& curve) { return !curve.is_closed(); }));
+  const std::size_t points = curves->points.size();
+  if (open == curves->curves.size() || open + points == 0) return;
+  const std::string lines = open == 0 ? std::string() : counted(open, "open line");
+  const std::string others = points == 0 ? std::string() : counted(points, "point");
+  remarks.push_back(fmt::format("{}{}{} {} left out, since there are closed outlines", lines,
+                                lines.empty() || others.empty() ? "" : " and ", others,
+                                open + points == 1 ? "is" : "are"));
+  keep_curves(curves, {}, &PlaneCurve::is_closed);
+}
+
+Expected<void> leave_out_flat(std::shared_ptr<const CurveSet>& curves, std::vector<std::string>& remarks) {
+  const auto is_flat = [](const PlaneCurve& curve) { return strip_ratio(curve) > kNoWidth; };
+  const auto flat = static_cast<std::size_t>(std::ranges::count_if(curves->curves, is_flat));
+  if (flat == 0) return {};
+  if (flat == curves->curves.size())
+    return no_line(ErrorCode::bad_input, flat == 1 ? std::string("the outline has no width")
+                                                   : fmt::format("its {} outlines have no width", flat));
+  remarks.push_back(flat == 1 ? std::string("an outline without a width is left out")
+                              : fmt::format("{} outlines without a width are left out", flat));
+  keep_curves(curves, curves->points, [&](const PlaneCurve& curve) { return !is_flat(curve); });
+  return {};
+}
+
+std::vector<std::string> remarks_on(const OutlineFaults& faults) {
+  std::vector<std::string> out;
+  if (faults.same != 0)
+    out.push_back(faults.same == 1 ? std::string("an outline repeats another one, and counts once")
+                                   : fmt::format("{} outlines repeat others, and count once", faults.same));
+  if (faults.crossings != 0)
+    out.push_back(
+        fmt::format("sides of outlines cross {}, and what an even number of outlines encloses counts as "
+                    "outside",
+                    faults.crossings == 1 ? "once" : fmt::format("{} times", faults.crossings)));
+  if (faults.repeated != 0)
+    out.push_back(fmt::format("outlines run along {} of their own again, and such sides may bound nothing",
+                              faults.repeated == 1 ? "a side" : fmt::format("{} sides", faults.repeated)));
+  return out;
+}
+
+/// A sentence on an outline that is too long and thin to be sampled; empty if there is none.
+std::string about_thin(std::span<const PlaneCurve> curves) {
+  for (std::size_t i = 0; i < curves.size(); ++i)
+    if (const double ratio = strip_ratio(curves[i]); kSamplesOfRatio * ratio > kMostOutlineSamples)
+      return fmt::format("{} is {:.3g} times as long as it is wide",
+                         curves.size() == 1 ? std::string("the outline") : fmt::format("outline {}", i + 1), ratio);
+  return {};
 }
 
 }  // namespace
@@ -71,73 +127,44 @@ CenterLineWish wish_of(const ComputationSettings& settings, const Annotations& a
   return out;
 }
 
-Expected<std::optional<SampleData>> samples_for_center_lines(const SampleData& data, JobControl& job,
-                                                             std::string& remark) {
-  if (!data.source || !data.source->curves) return data;
-  std::shared_ptr<const CurveSet> curves = data.source->curves;
-  const auto add_remark = [&remark](const std::string& text) { remark += (remark.empty() ? "" : "; ") + text; };
-  const auto open = static_cast<std::size_t>(
-      std::ranges::count_if(curves->curves, [](const PlaneCurve& curve) { return !curve.is_closed(); }));
-  if (open != curves->curves.size() && (open != 0 || !curves->points.empty())) {
-    auto areas = std::make_shared<CurveSet>(CurveSet{{}, {}, curves->resolution});
-    std::ranges::copy_if(curves->curves, std::back_inserter(areas->curves), &PlaneCurve::is_closed);
-    const std::size_t points = curves->points.size();
-    const auto counted = [](std::size_t count, const std::string& one) {
-      return count == 1 ? "1 " + one : fmt::format("{} {}s", count, one);
-    };
-    const std::string lines = open == 0 ? std::string() : counted(open, "open line");
-    const std::string others = points == 0 ? std::string() : counted(points, "point");
-    add_remark(fmt::format("{}{}{} {} left out, since there are closed outlines", lines,
-                           lines.empty() || others.empty() ? "" : " and ", others,
-                           open + points == 1 ? "is" : "are"));
-    curves = std::move(areas);
+Expected<CenterLineInput> input_for_center_lines(const SampleData& data, CenterLineBasis basis, JobControl& job) {
+  CenterLineInput out{.is_exact = basis == CenterLineBasis::outlines};
+  std::shared_ptr<const CurveSet> curves = data.source ? data.source->curves : nullptr;
+  if (!curves) {
+    out.data = data;
+    return out;
   }
-  const std::vector<PlaneCurve>& all = curves->curves;
-  const auto first = std::ranges::find_if(all, is_thin);
-  if (first != all.end()) {
-    auto rest = std::make_shared<CurveSet>(CurveSet{{}, curves->points, curves->resolution});
-    std::ranges::remove_copy_if(all, std::back_inserter(rest->curves), is_thin);
-    const std::string name =
-        all.size() == 1 ? std::string("the outline") : fmt::format("outline {}", first - all.begin() + 1);
-    const double ratio = strip_ratio(*first);
-    const std::string fault =
-        ratio > kNoWidth
-            ? name + " has no width"
-            : fmt::format("{} is {:.3g} times as long as it is wide; a centre line is found up to {} times", name,
-                          ratio, kMostOutlineSamples / kSamplesOfRatio);
-    if (rest->curves.empty()) return std::unexpected(Error{ErrorCode::bad_input, fault});
-    const std::size_t left_out = all.size() - rest->curves.size();
-    add_remark(left_out == 1 ? fault + "; it is left out"
-                             : fmt::format("{}; {} such outlines are left out", fault, left_out));
-    curves = std::move(rest);
+  if (basis != CenterLineBasis::own_samples) {
+    leave_out_lines_beside_areas(curves, out.remarks);
+    if (auto some = leave_out_flat(curves, out.remarks); !some) return std::unexpected(some.error());
   }
-  const SamplingRequest request{
-      .rule = SamplingRule::feature_size,
-      .count = std::max(kUsualSamples, std::min(data.positions.size(), kMostOutlineSamples)),
-      .most = kMostOutlineSamples};
-  auto taken = take_samples(curves, request, job);
-  if (!taken) {
-    add_remark("the lines are those of the exact axis of the outlines, because " + taken.error().text);
-    return std::nullopt;
+  const OutlineFaults faults = faults_of_outlines(curves->curves, job);
+  std::ranges::move(remarks_on(faults), std::back_inserter(out.remarks));
+  if (basis == CenterLineBasis::new_samples) {
+    // Samples of outlines that cross say nothing of what lies inside.
+    std::string reason = faults.crossings != 0 ? "they cross" : about_thin(curves->curves);
+    if (reason.empty()) {
+      const SamplingRequest request{
+          .rule = SamplingRule::feature_size,
+          .count = std::max(kUsualSamples, std::min(data.positions.size(), kMostOutlineSamples)),
+          .most = kMostOutlineSamples};
+      if (auto taken = take_samples(curves, request, job)) {
+        out.data = std::move(taken->data);
+        out.data.map = data.map;
+        return out;
+      } else {
+        reason = taken.error().text;
+      }
+    }
+    out.is_exact = true;
+    out.remarks.push_back("the lines are those of the exact axis of the outlines, because " + reason);
   }
-  taken->data.map = data.map;
-  return std::move(taken->data);
-}
-
-std::string remark_on_outlines(const SampleData& data, JobControl& job) {
-  if (!data.source || !data.source->curves) return {};
-  const OutlineFaults faults = faults_of_outlines(data.source->curves->curves, job);
-  std::string out;
-  const auto add = [&out](const std::string& text) { out += (out.empty() ? "" : "; ") + text; };
-  if (faults.same != 0)
-    add(faults.same == 1 ? std::string("an outline repeats another one, and counts once")
-                         : fmt::format("{} outlines repeat others, and count once", faults.same));
-  if (faults.crossings != 0)
-    add(fmt::format("sides of outlines cross {}, and what an even number of outlines encloses counts as outside",
-                    faults.crossings == 1 ? "once" : fmt::format("{} times", faults.crossings)));
-  if (faults.repeated != 0)
-    add(fmt::format("outlines run along {} of their own again, and such sides may bound nothing",
-                    faults.repeated == 1 ? "a side" : fmt::format("{} sides", faults.repeated)));
+  out.data = data;
+  if (curves != data.source->curves) {
+    CurveSource source = *data.source;
+    source.curves = std::move(curves);
+    out.data.source = std::make_shared<const CurveSource>(std::move(source));
+  }
   return out;
 }
 

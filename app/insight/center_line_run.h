@@ -2,10 +2,11 @@
 // Centre lines of the shapes of a file, from scratch.
 #pragma once
 
+#include <cstdint>
 #include <functional>
-#include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/base/error.h"
 #include "core/base/jobs/job_control.h"
@@ -31,17 +32,25 @@ CenterLineWish wish_of(const ComputationSettings& settings, const Annotations& a
 /// on one core. A digit too many in a coordinate easily asks for more.
 inline constexpr std::size_t kMostOutlineSamples = 250'000;
 
-/// Samples of the curves of the data by local feature size, since the axis of corners alone says little. Data without
-/// curves are samples already. If there are closed curves, open ones and points are left out, and so are outlines that
-/// lie in a strip and would need more than `kMostOutlineSamples` to show their width. Nothing if the rule cannot sample
-/// the curves, or would need more samples than that: their exact axis can be taken instead. `remark` has a sentence for
-/// each of these cases. Error: `bad_input`, if no outline remains. Throws `Cancelled`.
-Expected<std::optional<SampleData>> samples_for_center_lines(const SampleData& data, JobControl& job,
-                                                             std::string& remark);
+/// What centre lines are computed of.
+enum class CenterLineBasis : std::uint8_t {
+  own_samples,  ///< the samples of the data
+  new_samples,  ///< samples of the curves by local feature size, since the axis of corners alone says little
+  outlines,     ///< the curves themselves
+};
 
-/// A sentence on how the outlines of the data run over themselves and each other; empty if they do not, or are curved.
+struct CenterLineInput {
+  SampleData data{};
+  bool is_exact = false;  ///< the lines are to be those of the exact axis of the outlines
+  std::vector<std::string>
+      remarks{};  ///< a sentence each, on what was chosen, left out, or is wrong with the outlines
+};
+
+/// Data without curves are samples already. If there are closed curves, open ones and points are left out, and so are
+/// outlines without a width. Instead of new samples the outlines themselves are chosen if these cross, or if the rule
+/// cannot sample them, or would need more samples than `kMostOutlineSamples`. Error: `bad_input`, if no outline remains.
 /// Throws `Cancelled`.
-std::string remark_on_outlines(const SampleData& data, JobControl& job);
+Expected<CenterLineInput> input_for_center_lines(const SampleData& data, CenterLineBasis basis, JobControl& job);
 
 /// Error: `usage` if the wish names ends and no line joins any; `cannot_compute` if a structure failed, or there is no
 /// line, with the reason. Throws `Cancelled`. `on_task` is called with the id of each structure before it begins.

@@ -60,7 +60,7 @@ std::string about_flat(std::size_t count, bool are_all) {
 Expected<LoadedFile> samples_of(CurveSet curves, const SamplingRequest& wanted, const std::string& name, ReadJob& job,
                                 std::size_t flat) {
   if (flat != 0 && curves.is_empty()) return bad_input(about_flat(flat, true), name, 1, 1);
-  const SamplingRequest request = job.keeps_vertices() ? SamplingRequest{.rule = SamplingRule::vertices} : wanted;
+  const SamplingRequest request = job.takes_vertices() ? SamplingRequest{.rule = SamplingRule::vertices} : wanted;
   curves.curves = with_line_regions(std::move(curves.curves), curves.resolution, job.control());
   auto samples = sample(curves, request, {}, job.control());
   if (!samples) return bad_input(samples.error().text, name, 1, 1);
@@ -90,7 +90,7 @@ Expected<LoadedFile> load_samples(CurveSet curves, const std::string& name, Read
   for (const PlaneCurve& curve : curves.curves) vertices += curve.piece_count() + (curve.is_closed() ? 0 : 1);
   vertices -= std::min(vertices, added_vertices);
   auto file = samples_of(std::move(curves), request, name, job, flat);
-  if (!file || job.keeps_vertices() || request.rule != SamplingRule::refined) return file;
+  if (!file || job.takes_vertices() || request.rule != SamplingRule::refined) return file;
   const std::size_t samples = file->data.positions.size();
   if (samples <= vertices) return file;
   file->warnings.push_back(Error{

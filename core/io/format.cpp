@@ -175,7 +175,7 @@ Expected<LoadedFile> read_bytes(std::string_view bytes, const std::string& name,
                                 const ReadRequest& request, const fs::path* path, JobControl* control) {
   try {
     const Formats& formats = formats_of(request);
-    ReadJob job(control, path != nullptr ? kFileShare : 0.0, request.keeps_vertices);
+    ReadJob job(control, path != nullptr ? kFileShare : 0.0, request.keeps_vertices, request.wants_curves);
     if (wanted.empty() && may_carry_session(bytes)) {
       const auto text = carried_session(bytes, name);
       if (!text) return std::unexpected(text.error());

@@ -33,6 +33,9 @@ struct ReadRequest {
   std::string system{};
   /// Samples are only the vertices of curves; otherwise `default_sampling` samples the curves.
   bool keeps_vertices = false;
+  /// The caller takes samples of the curves itself. So those of the file are only the vertices, and no warning counts
+  /// them; the curves are the same as otherwise.
+  bool wants_curves = false;
   const NamedList<Format>* formats = nullptr;  ///< available formats; null: those of the program
 };
 

@@ -217,7 +217,6 @@ Expected<void> add_lines(const CenterlineJob& job, const CenterLines& found, con
 struct FoundLines {
   CenterLines lines{};
   std::optional<MapPlane> map{};
-  std::string remark{};  ///< on the samples; may be empty
 };
 
 std::unexpected<Error> in_file(Error error, const std::string& name) {
@@ -225,22 +224,26 @@ std::unexpected<Error> in_file(Error error, const std::string& name) {
   return std::unexpected(std::move(error));
 }
 
-/// Samples and computes. `on_task` is called with the id of each structure before it begins.
+/// Samples that the user of a session or of an option has chosen stay.
+CenterLineBasis basis_of(const CenterlineJob& job, bool keeps_samples) {
+  return job.wish.is_exact ? CenterLineBasis::outlines
+         : keeps_samples   ? CenterLineBasis::own_samples
+                           : CenterLineBasis::new_samples;
+}
+
+/// Samples and computes. `remarks` on the outlines and their samples are added even if there is no line. `on_task` is
+/// called with the id of each structure before it begins.
 Expected<FoundLines> find_lines(const Registry& registry, const CenterlineJob& job, const SampleData& data,
-                                bool keeps_samples, const std::string& name,
+                                CenterLineBasis basis, const std::string& name, std::vector<std::string>& remarks,
                                 const std::function<void(std::string_view)>& on_task) {
   if (data.positions.empty()) return in_file({ErrorCode::bad_input, "there are no samples and no curves"}, name);
   JobControl control;
   FoundLines out;
   CenterLineWish wish = job.wish;
-  std::optional<SampleData> taken;
-  if (!keeps_samples && !wish.is_exact) {
-    auto chosen = samples_for_center_lines(data, control, out.remark);
-    if (!chosen) return in_file(chosen.error(), name);
-    taken = *std::move(chosen);
-    wish.is_exact = !taken;
-  }
-  const SampleData& samples = taken ? *taken : data;
+  const auto input = input_for_center_lines(data, basis, control);
+  if (!input) return in_file(input.error(), name);
+  wish.is_exact = input->is_exact;
+  remarks.insert(remarks.end(), input->remarks.begin(), input->remarks.end());
   // Ends that a session has count unless more lines are wanted.
   if (!job.between && wish.request.most == 1) wish.request.between = center_line_ends(data.annotations);
   if (job.between) {
@@ -254,10 +257,10 @@ Expected<FoundLines> find_lines(const Registry& registry, const CenterlineJob& j
         if (!is_finite(end)) return in_file({ErrorCode::usage, "--between has a point that is not on the map"}, name);
     }
   }
-  auto found = compute_center_lines(registry, samples, wish, control, on_task);
+  auto found = compute_center_lines(registry, input->data, wish, control, on_task);
   if (!found) return in_file(found.error(), name);
   out.lines = *std::move(found);
-  out.map = samples.map;
+  out.map = data.map;
   return out;
 }
 
@@ -301,8 +304,9 @@ class FeatureRemarks {
 
 /// Each feature by itself, on all cores, with lines and messages in the order of the features. Error: no feature has a
 /// line.
-Expected<void> process_features(const Registry& registry, const CenterlineRequest& request, const CenterlineJob& job,
-                                const FeatureList& list, Progress& progress, CenterlineResult& out) {
+Expected<void> process_features(const Registry& registry, const std::string& file, const ReadingOptions& reading,
+                                const CenterlineJob& job, const FeatureList& list, Progress& progress,
+                                CenterlineResult& out) {
   std::vector<Expected<FoundLines>> found(list.features.size());
   std::vector<std::vector<std::string>> warnings(found.size());
   for (const Feature& feature : list.features) out.taken.insert(feature.keys.begin(), feature.keys.end());
@@ -310,13 +314,11 @@ Expected<void> process_features(const Registry& registry, const CenterlineReques
   std::size_t finished = 0;
   run_tasks(list.features.size(), [&](std::size_t i) {
     const Feature& feature = list.features[i];
-    auto loaded = read_input_bytes(registry, feature.text, feature.name, feature.format, request.reading);
+    auto loaded = read_input_bytes(registry, feature.text, feature.name, feature.format, reading);
     if (loaded) {
       warnings[i] = std::move(loaded->warnings);
-      JobControl control;
-      if (std::string about = remark_on_outlines(loaded->data, control); !about.empty())
-        warnings[i].push_back(std::move(about));
-      found[i] = find_lines(registry, job, loaded->data, request.reading.keeps_vertices, feature.name, {});
+      found[i] = find_lines(registry, job, loaded->data, basis_of(job, reading.keeps_vertices), feature.name,
+                            warnings[i], {});
     } else {
       // Lines and columns would be those of the feature alone.
       Error error = loaded.error();
@@ -335,7 +337,6 @@ Expected<void> process_features(const Registry& registry, const CenterlineReques
   for (std::size_t i = 0; i < found.size(); ++i) {
     const Feature& feature = list.features[i];
     for (const std::string& warning : warnings[i]) remarks.add(feature.name, warning);
-    if (found[i] && !found[i]->remark.empty()) remarks.add(feature.name, found[i]->remark);
     // Numbers that are no degrees are read as positions in a plane.
     if (is_map && found[i] && !lies_on_earth(found[i]))
       found[i] = std::unexpected(
@@ -349,8 +350,7 @@ Expected<void> process_features(const Registry& registry, const CenterlineReques
   }
   remarks.say_all();
   if (out.totals.lines != 0) return {};
-  return std::unexpected(
-      Error{first ? first->code : ErrorCode::bad_input, "no feature has a centre line", request.file});
+  return std::unexpected(Error{first ? first->code : ErrorCode::bad_input, "no feature has a centre line", file});
 }
 
 }  // namespace
@@ -369,32 +369,32 @@ Expected<void> run_centerline(const Registry& registry, const CenterlineRequest&
   const auto job = centerline_job(request);
   if (!job) return std::unexpected(job.error());
   if (auto good = check_output(request.output); !good) return good;
+  ReadingOptions reading = request.reading;
+  reading.wants_curves = true;
   CenterlineResult result;
   std::vector<SourceFile> sources;
   {
     Progress progress;
     if (request.are_features_apart) {
-      const auto list = read_features(registry, request.file, request.from, !request.reading.system.empty());
+      const auto list = read_features(registry, request.file, request.from, !reading.system.empty());
       if (!list) return std::unexpected(list.error());
       sources = list->sources;
-      if (auto done = process_features(registry, request, *job, *list, progress, result); !done) return done;
+      if (auto done = process_features(registry, request.file, reading, *job, *list, progress, result); !done)
+        return done;
     } else {
-      const auto input = read_input(registry, request.file, request.from, request.reading);
+      const auto input = read_input(registry, request.file, request.from, reading);
       if (!input) return std::unexpected(input.error());
       sources = input->sources;
-      // The user of a session has chosen its samples, so they stay.
-      const bool keeps_samples = request.reading.keeps_vertices || input->session != nullptr;
-      JobControl control;
-      if (const std::string about = remark_on_outlines(input->data, control); !about.empty())
-        say(request.file + ": " + about);
+      const CenterLineBasis basis = basis_of(*job, reading.keeps_vertices || input->session != nullptr);
+      std::vector<std::string> remarks;
       const auto ids = registry.structures();
       progress.show("sampling", 0.0);
       const auto found =
-          find_lines(registry, *job, input->data, keeps_samples, request.file, [&](std::string_view task) {
+          find_lines(registry, *job, input->data, basis, request.file, remarks, [&](std::string_view task) {
             const auto at = std::ranges::find(ids, task) - ids.begin();
             progress.show(task, static_cast<double>(at) / static_cast<double>(ids.size()));
           });
-      if (found && !found->remark.empty()) say(request.file + ": " + found->remark);
+      for (const std::string& remark : remarks) say(request.file + ": " + remark);
       if (auto done = take_lines(*job, found, request.file, Feature{}, result); !done) return done;
     }
   }

@@ -89,7 +89,9 @@ Expected<void> run_sample(const Registry& registry, const SampleRequest& request
   const auto sampling = sampling_of(request);
   if (!sampling) return std::unexpected(sampling.error());
   if (auto good = check_output(request.output); !good) return good;
-  const auto input = read_input(registry, request.file, request.from, request.reading);
+  ReadingOptions reading = request.reading;
+  reading.wants_curves = true;
+  const auto input = read_input(registry, request.file, request.from, reading);
   if (!input) return std::unexpected(input.error());
   if (input->data.positions.empty())
     return std::unexpected(Error{ErrorCode::bad_input, "there are no samples and no curves", request.file});

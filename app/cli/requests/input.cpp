@@ -37,6 +37,7 @@ Expected<ReadRequest> understood_reading(const ReadingOptions& options) {
     return usage_error("--figure-side expects dark or light, not " + in_quotes(options.figure));
   if (options.keeps_degrees) request.degrees = MapDegrees::kept;
   request.keeps_vertices = options.keeps_vertices;
+  request.wants_curves = options.wants_curves;
   request.system = options.system;
   if (!request.system.empty())
     if (auto known = find_coordinate_system(request.system); !known)

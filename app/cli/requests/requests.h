@@ -18,6 +18,7 @@ struct ReadingOptions {
   std::string figure;           ///< "dark" or "light"
   bool keeps_degrees = false;   ///< longitude and latitude are not projected
   bool keeps_vertices = false;  ///< curves are sampled at their vertices alone
+  bool wants_curves = false;    ///< the command takes samples of the curves itself
   std::string system{};         ///< coordinate system of the positions; empty: that of the file
 };
 

@@ -23,11 +23,13 @@ namespace mes {
 class ReadJob {
  public:
   /// A null control never cancels. `done` is the completed share of the whole.
-  explicit ReadJob(JobControl* control = nullptr, double done = 0.0, bool keeps_vertices = false)
-      : control_(control), done_(done), keeps_vertices_(keeps_vertices) {}
+  explicit ReadJob(JobControl* control = nullptr, double done = 0.0, bool keeps_vertices = false,
+                   bool wants_curves = false)
+      : control_(control), done_(done), keeps_vertices_(keeps_vertices), wants_curves_(wants_curves) {}
 
-  /// The option of `ReadRequest`.
+  /// The options of `ReadRequest`.
   bool keeps_vertices() const { return keeps_vertices_; }
+  bool takes_vertices() const { return keeps_vertices_ || wants_curves_; }
 
   /// Begins the next text, which is this share of the remaining work. Throws `Cancelled`.
   void begin(std::string_view text, double share = 1.0) {
@@ -70,6 +72,7 @@ class ReadJob {
   double to_ = 1.0;
   double done_;
   bool keeps_vertices_;
+  bool wants_curves_;
 };
 
 }  // namespace mes
