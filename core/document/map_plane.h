@@ -8,6 +8,8 @@
 #include <string>
 #include <string_view>
 
+#include "core/base/geometry/vec2.h"
+
 namespace mes {
 
 /// Treatment of longitude and latitude.
@@ -37,12 +39,19 @@ struct MapPlane {
   /// Unit of the system, as PROJ names it: "degree", "metre". Not set for a projection, which determines that of the
   /// plane. Without a system and a projection any other unit than "degree" is that of a drawing: "mm", "px".
   std::string unit = "degree";
+  /// Width and height of the page of a drawing, whose lower left corner is the origin; zero: it has none.
+  Vec2 page{};
 
   /// Symbol or name of the unit of lengths in the plane.
   std::string_view plane_unit() const {
     if (projection == MapProjection::azimuthal || unit == "metre") return "m";
     if (projection == MapProjection::equirectangular || unit == "kilometre") return "km";
     return unit == "degree" ? "degrees" : std::string_view(unit);
+  }
+  /// Lengths of a map in degrees are written in metres, also if the plane has kilometres: so many for one of the plane.
+  double written_size() const { return projection == MapProjection::equirectangular ? 1000.0 : 1.0; }
+  std::string_view written_unit() const {
+    return projection == MapProjection::equirectangular ? std::string_view("m") : plane_unit();
   }
   friend bool operator==(const MapPlane&, const MapPlane&) = default;
 };

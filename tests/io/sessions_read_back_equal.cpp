@@ -610,12 +610,16 @@ TEST_CASE("where a map lies reads back bit for bit, or is refused") {
         R"({"mesecina":"session","schema":1,"data":{"samples":[],"contours":[],"balls":[],"map":)" + map + "}}", "a");
   };
   CHECK(read_with(R"({"degrees":"kept"})")->data->map == MapPlane{});
+  const std::string page = R"({"page":[210.0,297.5],"projection":"none","unit":"mm"})";
+  CHECK(read_with(page)->data->map == MapPlane{.unit = "mm", .page = {210, 297.5}});
+  CHECK(read_session(write_session(*read_with(page)), "a")->data->map == read_with(page)->data->map);
   CHECK(read_with(R"({"degrees":"projected","longitude":181.5,"latitude":-17})")->data->map ==
         MapPlane{MapProjection::equirectangular, 181.5, -17});
   for (const char* map : {"1", "{}", R"({"degrees":"lost"})", R"({"degrees":"projected","longitude":1})",
                           R"({"degrees":"projected","longitude":1,"latitude":90.5})",
                           R"({"degrees":"projected","longitude":1000,"latitude":9})", R"({"projection":"lost"})",
                           R"({"projection":"azimuthal","longitude":1})", R"({"projection":"none","system":"a\nb"})",
+                          R"({"projection":"none","page":[1]})", R"({"projection":"none","page":[1,-1]})",
                           R"({"projection":"azimuthal","longitude":1,"latitude":91})"}) {
     INFO(map);
     const auto read = read_with(map);

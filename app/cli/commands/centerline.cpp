@@ -25,6 +25,7 @@
 #include "core/base/jobs/parallel.h"
 #include "core/base/lower_case.h"
 #include "core/graph/registry.h"
+#include "core/io/systems/coordinate_system.h"
 #include "core/io/systems/map_conversion.h"
 #include "core/io/text/text_numbers.h"
 
@@ -49,7 +50,7 @@ struct CenterlineResult {
   std::string table{};  ///< of stations
   std::size_t stations = 0;
   CenterLineTotals totals{};
-  std::optional<MapPlane> map{};               ///< of the last lines; all have the same unit
+  std::optional<MapPlane> map{};               ///< of the first lines, whose unit all lengths have
   std::set<std::string, std::less<>> taken{};  ///< names of properties of any feature
 };
 
@@ -137,15 +138,17 @@ Expected<CenterlineJob> centerline_job(const CenterlineRequest& request) {
   return out;
 }
 
-/// Positions of a map are in its coordinate system; lengths and the direction are those of the plane.
+/// Positions of a map are in its coordinate system; the direction is that of the plane. A station lies on the axis, where
+/// its width is measured, and not on the smoothed line.
 void add_station_rows(std::string& table, std::size_t shape, std::size_t line, const std::vector<Station>& stations,
-                      const std::optional<MapConversion>& conversion) {
+                      double unit, const std::optional<MapConversion>& conversion) {
   for (const Station& at : stations) {
     table += fmt::format("{},{}", shape, line);
-    std::array places{at.place, at.left, at.right};
+    std::array places{at.axis, at.left, at.right};
     if (conversion) conversion->from_plane(places);
     const auto& [place, left, right] = places;
-    for (const double x : {at.along, place.x, place.y, at.width, left.x, left.y, right.x, right.y, at.direction})
+    for (const double x :
+         {unit * at.along, place.x, place.y, unit * at.width, left.x, left.y, right.x, right.y, at.direction})
       append_number(table += ',', x);
     table += '\n';
   }
@@ -168,6 +171,25 @@ void add_numbers(TextLine& line, const Feature& feature, std::vector<std::pair<s
   line.properties += fmt::format("\"{}\":{}", free_name("feature_id", out), feature.id);
 }
 
+/// Size of a length of the plane in the unit that lengths of the first map are written in. Error: `bad_input`, if one of
+/// the units has no size in metres.
+Expected<double> written_size(const std::optional<MapPlane>& map, const std::optional<MapPlane>& first) {
+  if (!map || !first) return 1.0;
+  if (map->written_unit() == first->written_unit()) return map->written_size();
+  const auto metres = [](const MapPlane& plane) -> std::optional<double> {
+    if (plane.projection != MapProjection::none) return 1.0;
+    const auto system = find_coordinate_system(plane.system);
+    if (!is_on_earth(plane) || !system || system->is_geographic) return std::nullopt;
+    return system->unit_size;
+  };
+  const auto own = metres(*map);
+  const auto wanted = metres(*first);
+  if (!own || !wanted)
+    return std::unexpected(Error{ErrorCode::bad_input, fmt::format("its lengths are in {}, and those before it in {}",
+                                                                   map->plane_unit(), first->plane_unit())});
+  return *own / *wanted * map->written_size();
+}
+
 Expected<void> add_lines(const CenterlineJob& job, const CenterLines& found, const std::optional<MapPlane>& map,
                          const Feature& feature, CenterlineResult& out) {
   std::optional<MapConversion> to_system;
@@ -176,25 +198,24 @@ Expected<void> add_lines(const CenterlineJob& job, const CenterLines& found, con
     if (!conversion) return std::unexpected(conversion.error());
     to_system = *std::move(conversion);
   }
-  if (map && out.map && map->plane_unit() != out.map->plane_unit())
-    return std::unexpected(Error{ErrorCode::bad_input, fmt::format("its lengths are in {}, and those before it in {}",
-                                                                   map->plane_unit(), out.map->plane_unit())});
-  out.totals.add(found);
-  if (map) out.map = map;
+  if (map && !out.map) out.map = map;
+  const auto unit = written_size(map, out.map);
+  if (!unit) return std::unexpected(unit.error());
+  out.totals.add(found, *unit);
   for (const CenterLine& line : found.lines) {
     if (job.every == 0.0) {
-      TextLine whole = text_line_of(line, map);
+      TextLine whole = text_line_of(line, map, *unit);
       add_numbers(whole, feature, std::exchange(whole.numbers, {}), job, out);
       out.lines.push_back(std::move(whole));
       continue;
     }
-    const double length = length_of(line);
-    if (static_cast<double>(out.stations) + length / job.every > kMostStations)
+    const double every = job.every / *unit;
+    if (static_cast<double>(out.stations) + length_of(line) / every > kMostStations)
       return usage_error(fmt::format("--every {:g} asks for more than {:g} stations", job.every, kMostStations));
-    const std::vector<Station> stations = stations_of(line, job.every);
+    const std::vector<Station> stations = stations_of(line, every);
     out.stations += stations.size();
     if (job.format->name == "csv") {
-      add_station_rows(out.table, line.shape + 1, line.rank + 1, stations, to_system);
+      add_station_rows(out.table, line.shape + 1, line.rank + 1, stations, *unit, to_system);
       continue;
     }
     for (const Station& at : stations) {
@@ -204,8 +225,8 @@ Expected<void> add_lines(const CenterlineJob& job, const CenterLines& found, con
       add_numbers(text, feature,
                   {{"shape", static_cast<double>(line.shape + 1)},
                    {"line", static_cast<double>(line.rank + 1)},
-                   {"station", at.along},
-                   {"width", at.width},
+                   {"station", *unit * at.along},
+                   {"width", *unit * at.width},
                    {"direction", at.direction}},
                   job, out);
     }
@@ -243,6 +264,7 @@ Expected<FoundLines> find_lines(const Registry& registry, const CenterlineJob& j
   const auto input = input_for_center_lines(data, basis, control);
   if (!input) return in_file(input.error(), name);
   wish.is_exact = input->is_exact;
+  if (data.map) wish.tolerance.length /= data.map->written_size();
   remarks.insert(remarks.end(), input->remarks.begin(), input->remarks.end());
   // Ends that a session has count unless more lines are wanted.
   if (!job.between && wish.request.most == 1) wish.request.between = center_line_ends(data.annotations);

@@ -6,34 +6,34 @@
 
 namespace mes {
 
-TextLine text_line_of(const CenterLine& line, const std::optional<MapPlane>& map) {
+TextLine text_line_of(const CenterLine& line, const std::optional<MapPlane>& map, double unit) {
   TextLine out{.points = {}, .is_closed = line.is_closed, .map = map};
   for (const CenterLine::Point& point : line.points) out.points.push_back(point.place);
   out.radii = radii_of(line);
   const Widths widths = widths_of(line);
   out.numbers = {{"shape", static_cast<double>(line.shape + 1)},
                  {"line", static_cast<double>(line.rank + 1)},
-                 {"length", length_of(line)},
-                 {"width_least", widths.least},
-                 {"width_mean", widths.mean},
-                 {"width_largest", widths.largest}};
+                 {"length", unit * length_of(line)},
+                 {"width_least", unit * widths.least},
+                 {"width_mean", unit * widths.mean},
+                 {"width_largest", unit * widths.largest}};
   return out;
 }
 
-void CenterLineTotals::add(const CenterLines& found) {
+void CenterLineTotals::add(const CenterLines& found, double unit) {
   lines += found.lines.size();
   points += found.points;
   for (const CenterLine& line : found.lines) {
-    length.add(length_of(line));
+    length.add(unit * length_of(line));
     const Widths own = widths_of(line);
-    widths.least = std::min(widths.least, own.least);
-    widths.largest = std::max(widths.largest, own.largest);
+    widths.least = std::min(widths.least, unit * own.least);
+    widths.largest = std::max(widths.largest, unit * own.largest);
   }
 }
 
 std::string CenterLineTotals::text(const std::optional<MapPlane>& map, std::uint64_t off_earth,
                                    std::size_t stations) const {
-  const std::string unit = map ? fmt::format(" {}", map->plane_unit()) : std::string();
+  const std::string unit = map ? fmt::format(" {}", map->written_unit()) : std::string();
   std::string out = fmt::format("{} of length {:.6g}{} in all, width {:.6g} to {:.6g}{}",
                                 lines == 1 ? "1 line" : fmt::format("{} lines", lines), length.value(), unit,
                                 widths.least, widths.largest, unit);

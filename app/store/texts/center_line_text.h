@@ -15,8 +15,9 @@
 
 namespace mes {
 
-/// The line with its numbers: shape and line, counted from 1, length, least, mean and largest width.
-TextLine text_line_of(const CenterLine& line, const std::optional<MapPlane>& map);
+/// The line with its numbers: shape and line, counted from 1, length, least, mean and largest width. `unit` is the size
+/// of a length of the plane in the written unit.
+TextLine text_line_of(const CenterLine& line, const std::optional<MapPlane>& map, double unit);
 
 struct CenterLineTotals {
   std::size_t lines = 0;
@@ -24,7 +25,7 @@ struct CenterLineTotals {
   Sum length{};
   Widths widths{std::numeric_limits<double>::infinity(), 0.0, 0.0};
 
-  void add(const CenterLines& found);
+  void add(const CenterLines& found, double unit);
   /// "2 lines of length 12.6 m in all, width 1.1 to 1.3 m"; without a map lengths have no unit. `off_earth` lines were
   /// left out of the text.
   std::string text(const std::optional<MapPlane>& map, std::uint64_t off_earth, std::size_t stations = 0) const;

@@ -120,14 +120,29 @@ void append_pair(std::string& out, double x, double y) {
   append_number(out += ' ', y);
 }
 
+/// On the page of the drawing that the lines belong to, so that they lie on it; else on one around them.
 Expected<LineText> lines_as_svg(std::span<const TextLine> lines) {
-  Box2 box;
-  for (const TextLine& line : lines)
-    for (const Vec2 p : line.points) box.add(Vec2{p.x, p.y == 0.0 ? 0.0 : -p.y});
-  const double size = std::max(box.width(), box.height());
-  LineText out{R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox=")"};
-  append_pair(out.text, box.low.x - 0.02 * size, box.low.y - 0.02 * size);
-  append_pair(out.text += ' ', box.width() + 0.04 * size, box.height() + 0.04 * size);
+  const MapPlane plane = lines.empty() || !lines.front().map ? MapPlane{.unit = {}} : *lines.front().map;
+  Box2 page{{0.0, -plane.page.y}, {plane.page.x, 0.0}};  // y down
+  if (plane.page == Vec2{}) {
+    page = {};
+    for (const TextLine& line : lines)
+      for (const Vec2 p : line.points) page.add(Vec2{p.x, -p.y});
+    const double margin = 0.02 * std::max(page.width(), page.height());
+    page = {page.low - Vec2{margin, margin}, page.high + Vec2{margin, margin}};
+  }
+  const double top = plane.page.y;  // of the page, from which its y counts
+  const auto down = [top](double y) { return y == top ? 0.0 : top - y; };
+  LineText out{R"(<svg xmlns="http://www.w3.org/2000/svg" )"};
+  constexpr std::array<std::string_view, 6> kUnits{"px", "mm", "cm", "in", "pt", "pc"};
+  if (std::ranges::find(kUnits, plane.unit) != kUnits.end()) {
+    append_number(out.text += R"(width=")", page.width());
+    append_number(out.text.append(plane.unit) += R"(" height=")", page.height());
+    out.text.append(plane.unit) += R"(" )";
+  }
+  append_pair(out.text += R"(viewBox=")", page.low.x, page.low.y + top);
+  append_pair(out.text += ' ', page.width(), page.height());
+  const double size = std::max(page.width(), page.height());
   out.text += R"(" fill="none" stroke="black" stroke-linejoin="round" stroke-linecap="round" stroke-width=")";
   append_number(out.text, 0.002 * size);
   out.text += "\">\n";
@@ -137,7 +152,7 @@ Expected<LineText> lines_as_svg(std::span<const TextLine> lines) {
     const std::size_t n = line.points.size() - (line.is_closed ? 1 : 0);
     for (std::size_t k = 0; k < n; ++k) {
       const Vec2 p = line.points[k];
-      append_pair(out.text += k == 0 ? "M " : " L ", p.x, p.y == 0.0 ? 0.0 : -p.y);
+      append_pair(out.text += k == 0 ? "M " : " L ", p.x, down(p.y));
     }
     out.text += line.is_closed ? " Z\"/>\n" : "\"/>\n";
   }
@@ -148,10 +163,15 @@ Expected<LineText> lines_as_svg(std::span<const TextLine> lines) {
 template <bool kHasHeights>
 Expected<LineText> lines_as_dxf(std::span<const TextLine> lines) {
   LineConversions conversions(MapTarget::own_system);
-  LineText out{std::string(DxfText::kBegin)};
+  // Radii are lengths of the plane, so that lines with radii are in the plane as well, and not in degrees.
+  const auto is_of_plane = [](const TextLine& line) {
+    return !line.map || kHasHeights || line.map->projection == MapProjection::none;
+  };
+  const bool has_unit = !lines.empty() && lines.front().map && is_of_plane(lines.front());
+  LineText out{DxfText::beginning(has_unit ? lines.front().map->plane_unit() : "")};
   DxfText dxf(out.text, "centerline");
   for (const TextLine& line : lines) {
-    const auto points = conversions.points_of(line);
+    const auto points = is_of_plane(line) ? Expected<std::vector<Vec2>>(line.points) : conversions.points_of(line);
     if (!points) return std::unexpected(points.error());
     const std::size_t count = points->size() - (line.is_closed ? 1 : 0);
     const std::vector<double> unknown(kHasHeights && line.radii.empty() ? count : 0, 0.0);
@@ -179,8 +199,8 @@ constexpr std::array<LineTextFormat, 8> kLineFormats{{
     {"csv", "a point of a line in each row", false, lines_as_csv},
     {"svg", "a path for each line, upright", false, lines_as_svg},
     {"dxf", "a polyline for each line", false, lines_as_dxf<false>},
-    {"dxf-3d", "the same in space: the height is the radius of the largest disk, for V-shaped bits", false,
-     lines_as_dxf<true>},
+    {"dxf-3d", "the same in space and in the plane: the height is the radius of the largest disk, for V-shaped bits",
+     false, lines_as_dxf<true>},
     {"gpkg", "a GeoPackage with the same features as geojson, by GDAL", true, lines_by_gdal<kGeoPackage>},
     {"fgb", "a FlatGeobuf with the same, by GDAL", true, lines_by_gdal<kFlatGeobuf>},
 }};

@@ -40,10 +40,10 @@ struct LineTextFormat {
   Expected<LineText> (*write)(std::span<const TextLine> lines) = nullptr;
 };
 
-/// Lines of a map are in longitude and latitude on WGS 84 in GeoJSON, and in the coordinate system of the map in all
-/// other formats but SVG, which is a picture of the plane. GeoJSON and WKT are cut at the 180th meridian. CSV has a row
-/// for each point. DXF has polylines of release 12, and dxf-3d
-/// polylines in space, whose heights are the radii; SVG has y downwards.
+/// Lines of a map are in longitude and latitude on WGS 84 in GeoJSON, in the plane in SVG and dxf-3d, and in the
+/// coordinate system of the map in all other formats. GeoJSON and WKT are cut at the 180th meridian. CSV has a row for
+/// each point. DXF has polylines of release 12, and dxf-3d polylines in space, whose heights are the radii; the header
+/// names the unit. SVG has y downwards, and the page and unit of the drawing that the lines are of.
 std::span<const LineTextFormat> line_text_formats();
 /// The format of this name, or null.
 const LineTextFormat* find_line_text_format(std::string_view name);

@@ -190,12 +190,13 @@ void FigureFlow::write_center_lines(const std::filesystem::path& file, const Cen
     if (full.request.between.empty()) full.request.between = center_line_ends(data.annotations);
     const auto found = compute_center_lines(registry, data, full, job);
     if (!found) return std::unexpected(found.error());
+    const double unit = data.map ? data.map->written_size() : 1.0;
     std::vector<TextLine> lines;
-    for (const CenterLine& line : found->lines) lines.push_back(text_line_of(line, data.map));
+    for (const CenterLine& line : found->lines) lines.push_back(text_line_of(line, data.map, unit));
     auto text = format->write(lines);
     if (!text) return std::unexpected(text.error());
     CenterLineTotals totals;
-    totals.add(*found);
+    totals.add(*found, unit);
     return GeometryText{std::move(text->text), {}, totals.text(data.map, text->off_earth)};
   };
   write_aside(file, "these lines", compute);

@@ -122,22 +122,10 @@ class DxfReader {
     return {};
   }
 
-  /// The variable $INSUNITS, as the reference of DXF numbers units.
   void note_unit(DxfEntity header) {
-    constexpr std::array<std::pair<std::string_view, std::string_view>, 10> kUnits{{{"1", "in"},
-                                                                                    {"2", "ft"},
-                                                                                    {"3", "mi"},
-                                                                                    {"4", "mm"},
-                                                                                    {"5", "cm"},
-                                                                                    {"6", "m"},
-                                                                                    {"7", "km"},
-                                                                                    {"10", "yd"},
-                                                                                    {"13", "um"},
-                                                                                    {"14", "dm"}}};
     for (std::size_t i = 0; i + 1 < header.size(); ++i) {
       if (header[i].code != 9 || header[i].value != "$INSUNITS") continue;
-      const auto unit = std::ranges::find(kUnits, trimmed(header[i + 1].value), &decltype(kUnits)::value_type::first);
-      if (unit != kUnits.end()) unit_ = unit->second;
+      if (const auto unit = unit_of_dxf_number(trimmed(header[i + 1].value)); !unit.empty()) unit_ = unit;
     }
   }
 

@@ -2,7 +2,9 @@
 #include "core/io/drawings/dxf_pairs.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
+#include <utility>
 
 #include "core/io/text/line_end.h"
 #include "core/io/text/text_numbers.h"
@@ -67,6 +69,31 @@ std::optional<std::string_view> dxf_text(DxfEntity entity, int code) {
   const auto found = std::ranges::find(entity, code, &DxfPair::code);
   if (found == entity.end()) return std::nullopt;
   return found->value;
+}
+
+namespace {
+
+constexpr std::array<std::pair<std::string_view, std::string_view>, 10> kDxfUnits{{{"1", "in"},
+                                                                                   {"2", "ft"},
+                                                                                   {"3", "mi"},
+                                                                                   {"4", "mm"},
+                                                                                   {"5", "cm"},
+                                                                                   {"6", "m"},
+                                                                                   {"7", "km"},
+                                                                                   {"10", "yd"},
+                                                                                   {"13", "um"},
+                                                                                   {"14", "dm"}}};
+
+}  // namespace
+
+std::string_view unit_of_dxf_number(std::string_view number) {
+  const auto found = std::ranges::find(kDxfUnits, number, [](const auto& pair) { return pair.first; });
+  return found == kDxfUnits.end() ? std::string_view() : found->second;
+}
+
+std::string_view dxf_number_of_unit(std::string_view unit) {
+  const auto found = std::ranges::find(kDxfUnits, unit, [](const auto& pair) { return pair.second; });
+  return found == kDxfUnits.end() ? std::string_view() : found->first;
 }
 
 }  // namespace mes

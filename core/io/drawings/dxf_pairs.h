@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// DXF as pairs of lines: a group code and a value. Private to core/io.
+// DXF as pairs of lines, a group code and a value, and its units.
 #pragma once
 
 #include <cstdint>
@@ -30,5 +30,9 @@ Expected<std::vector<DxfPair>> read_dxf_pairs(std::string_view bytes, const std:
 
 /// The first value of a code; nothing if the entity lacks it.
 std::optional<std::string_view> dxf_text(DxfEntity entity, int code);
+
+/// The unit of a value of $INSUNITS, and the other way round; empty: there is none. Source: the reference of DXF.
+std::string_view unit_of_dxf_number(std::string_view number);
+std::string_view dxf_number_of_unit(std::string_view unit);
 
 }  // namespace mes

@@ -78,8 +78,8 @@ std::string line_from(JsonView value, const char* key, const std::string& where)
 MapPlane map_from(JsonView object) {
   const std::string where = "map";
   if (!object.is_object()) throw Nonsense{"map: not an object", object};
-  const auto [degrees, projection, longitude, latitude, system, unit] =
-      object.pick<6>({"degrees", "projection", "longitude", "latitude", "system", "unit"});
+  const auto [degrees, projection, longitude, latitude, system, unit, page] =
+      object.pick<7>({"degrees", "projection", "longitude", "latitude", "system", "unit", "page"});
   MapPlane out;
   if (projection) {
     const auto name = std::ranges::find(kMapProjections, text_from(projection, "projection", where));
@@ -93,6 +93,12 @@ MapPlane map_from(JsonView object) {
   if (system) out.system = line_from(system, "system", where);
   if (out.projection == MapProjection::none) {
     if (unit) out.unit = line_from(unit, "unit", where);
+    if (page) {
+      const std::vector<Vec2> size = places_of(page, where);
+      if (size.size() != 1 || !(size[0].x > 0.0 && size[0].y > 0.0))
+        throw Nonsense{"map: the page has no width and height", page};
+      out.page = size[0];
+    }
     return out;
   }
   out.longitude = number_of(longitude, where);

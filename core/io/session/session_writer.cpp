@@ -82,6 +82,7 @@ json to_json(const MapPlane& map) {
   }
   if (!map.system.empty()) out["system"] = map.system;
   if (!is_old_plane(map) && !is_projected) out["unit"] = map.unit;
+  if (map.page != Vec2{}) out["page"] = json::array({map.page.x, map.page.y});
   return out;
 }
 

@@ -30,12 +30,12 @@ Expected<LoadedFile> read_svg(std::string_view bytes, const std::string& name, R
   if (!drawing) return std::unexpected(drawing.error());
   if (drawing->curves.curves.empty())
     return bad_input(with_reasons("no shape is drawn in it", drawing->warnings, name), name, 1, 1);
-  const std::string unit = drawing->unit;
+  const MapPlane plane{.unit = drawing->unit, .page = drawing->page};
   const SamplingRequest request = default_sampling(drawing->curves);
   auto file = load_samples(std::move(drawing->curves), request, name, job);
   if (!file) return file;
   file->warnings = std::move(drawing->warnings);
-  file->data.map = MapPlane{.unit = unit};
+  file->data.map = plane;
   return file;
 }
 

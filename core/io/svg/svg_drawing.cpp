@@ -117,6 +117,7 @@ class DrawingReader {
     SvgDrawing out;
     out.curves.curves = queue_.take();
     out.unit = unit_;
+    out.page = page_;
     out.warnings = source_.messages();
     return out;
   }
@@ -274,6 +275,7 @@ class DrawingReader {
                            length(root, style, P::height, SvgAxis::y, context).value_or(context.viewport.height)};
     const SvgPage page = page_of(root, size);
     unit_ = page.unit;
+    if (page.size.width > 0.0 && page.size.height > 0.0) page_ = {page.size.width, page.size.height};
     clip_paths_->set_extent(std::max(page.size.width, page.size.height));
     const std::string_view overflow = style[P::overflow];
     if (size.width > 0.0 && size.height > 0.0 && overflow != "visible")
@@ -440,6 +442,7 @@ class DrawingReader {
   SvgShapeQueue queue_;
   bool is_measuring_ = false;
   std::string_view unit_ = "px";
+  Vec2 page_{};
   Box2 box_;  // bounding box of the measured content
 };
 

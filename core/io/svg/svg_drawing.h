@@ -22,6 +22,7 @@ namespace mes {
 struct SvgDrawing {
   CurveSet curves;                    ///< y up, the lower left corner of the drawing at the origin
   std::string unit = "px";            ///< of coordinates: that of width and height of the page, else 1/96 inch
+  Vec2 page{};                        ///< its width and height; zero if the drawing has none
   std::vector<std::string> warnings;  ///< one line a kind, with the position of the first
 };
 

@@ -333,5 +333,5 @@ TEST_CASE("a drawing has the unit of its page, and a number of the file is a num
       R"(<svg xmlns="http://www.w3.org/2000/svg" width="8cm" height="8cm" viewBox="0 0 8 8"><circle r="3"/></svg>)",
       "a");
   REQUIRE(file);
-  CHECK(file->data.map == MapPlane{.unit = "cm"});
+  CHECK(file->data.map == MapPlane{.unit = "cm", .page = {8.0, 8.0}});
 }

@@ -9,9 +9,17 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/io/drawings/dxf_pairs.h"
 #include "core/io/text/text_numbers.h"
 
 namespace mes {
+
+std::string DxfText::beginning(std::string_view unit) {
+  const std::string_view number = dxf_number_of_unit(unit);
+  std::string out;
+  if (!number.empty()) out = fmt::format("0\nSECTION\n2\nHEADER\n9\n$INSUNITS\n70\n{}\n0\nENDSEC\n", number);
+  return out + "0\nSECTION\n2\nENTITIES\n";
+}
 
 void DxfText::begin(std::string_view entity) {
   out_.append("0\n").append(entity).append("\n8\n").append(layer_) += '\n';

@@ -14,7 +14,8 @@ namespace mes {
 /// Appends the entities of one layer. Source: AutoCAD Release 12, "Drawing interchange file formats".
 class DxfText {
  public:
-  static constexpr std::string_view kBegin = "0\nSECTION\n2\nENTITIES\n";
+  /// The file up to the entities. The header has the unit of the coordinates, if DXF knows it.
+  static std::string beginning(std::string_view unit);
   static constexpr std::string_view kEnd = "0\nENDSEC\n0\nEOF\n";
 
   DxfText(std::string& out, std::string_view layer) : out_(out), layer_(layer) {}

@@ -34,7 +34,7 @@ Expected<LayerText> dxf_of(const LayerGeometry& geometry) {
   const bool is_projected = map && map->projection != MapProjection::none;
   const auto conversion = conversion_for(geometry, MapTarget::own_system);
   if (!conversion) return std::unexpected(conversion.error());
-  LayerText out{std::string(DxfText::kBegin)};
+  LayerText out{DxfText::beginning(map && !is_projected ? map->plane_unit() : "")};
   for (const LayerIndex layer : geometry.layers) {
     DxfText dxf(out.text, geometry.registry.layers()[layer].id);
     if (is_projected)
