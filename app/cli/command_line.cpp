@@ -239,17 +239,18 @@ int refuse(const CLI::App& app, const std::string& text) {
   return report({ErrorCode::usage, line + "; see " + command + " --help", {}, 0, 0});
 }
 
-/// Suggests a command if the first word is not a file, does not look like a file name, and resembles the command.
+/// An error if the first word is not a file and does not look like a file name; it suggests a command that resembles it.
 std::optional<Error> mistaken_command(const CLI::App& app, const std::vector<std::string>& files) {
   if (files.empty() || files.front().find_first_of("./") != std::string::npos) return std::nullopt;
   const std::string& word = files.front();
-  if (std::filesystem::exists(word)) return std::nullopt;
+  if (word.empty() || std::filesystem::exists(word)) return std::nullopt;
   std::vector<std::string> commands;
   for (const CLI::App* command : app.get_subcommands({})) commands.push_back(command->get_name());
   const std::vector<std::string_view> names(commands.begin(), commands.end());
   constexpr std::size_t kMostMistakes = 2;
   const std::string_view nearest = nearest_names(word, names).front();
-  if (edit_distance(word, nearest) > kMostMistakes) return std::nullopt;
+  if (edit_distance(word, nearest) > kMostMistakes)
+    return Error{ErrorCode::usage, in_quotes(word) + " is neither a command nor a file; see mesecina --help"};
   return Error{ErrorCode::usage,
                "unknown command " + in_quotes(word) + "; did you mean " + std::string(nearest) + '?',
                {},
@@ -261,8 +262,15 @@ int run(const Registry& registry, int argc, const char* const* argv, const OpenW
   CLI::App app;
   Arguments arguments;
   describe_commands(registry, app, arguments);
+  // `mesecina help` and `mesecina help COMMAND` are what other programs have.
+  std::vector<const char*> words(argv, argv + argc);
+  if (argc >= 2 && std::string_view(argv[1]) == "help") {
+    words.erase(words.begin() + 1);
+    words.resize(std::min<std::size_t>(words.size(), 2));
+    words.push_back("--help");
+  }
   try {
-    app.parse(argc, argv);
+    app.parse(static_cast<int>(words.size()), words.data());
   } catch (const CLI::Success& done) {
     // Help and version are results, so they are written to stdout.
     const int code = app.exit(done);

@@ -120,6 +120,9 @@ TEST_CASE("what is wrong with options is said in plain words, and long or unprin
 TEST_CASE("a mistyped command names the one that is meant") {
   require_usage_error({"rendr", kDude, "-o", "a.png"}, {"\"rendr\"", "did you mean render?"});
   require_usage_error({"lists"}, {"did you mean list?"});
+  require_usage_error({"transects", kDude}, {"\"transects\" is neither a command nor a file"});
+  CHECK(run({"help"}).out == run({"--help"}).out);
+  CHECK(run({"help", "centerline"}).out == run({"centerline", "--help"}).out);
 }
 
 TEST_CASE("help and version are results") {

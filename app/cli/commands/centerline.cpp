@@ -52,6 +52,7 @@ struct CenterlineResult {
   CenterLineTotals totals{};
   std::optional<MapPlane> map{};               ///< of the first lines, whose unit all lengths have
   std::set<std::string, std::less<>> taken{};  ///< names of properties of any feature
+  std::string remark{};                        ///< on features without a line
 };
 
 Expected<Vec2> point_between(const std::string& text) {
@@ -355,6 +356,7 @@ Expected<void> process_features(const Registry& registry, const std::string& fil
   };
   const bool is_map = std::ranges::any_of(found, lies_on_earth);
   std::optional<Error> first;
+  std::size_t without_line = 0;
   FeatureRemarks remarks;
   for (std::size_t i = 0; i < found.size(); ++i) {
     const Feature& feature = list.features[i];
@@ -368,8 +370,12 @@ Expected<void> process_features(const Registry& registry, const std::string& fil
     if (done) continue;
     if (done.error().code == ErrorCode::usage) return done;
     say(done.error().message());
+    ++without_line;
     if (!first) first = done.error();
   }
+  if (without_line != 0)
+    out.remark =
+        fmt::format("; {} of {} features {} no line", without_line, found.size(), without_line == 1 ? "has" : "have");
   remarks.say_all();
   if (out.totals.lines != 0) return {};
   return std::unexpected(Error{first ? first->code : ErrorCode::bad_input, "no feature has a centre line", file});
@@ -425,7 +431,7 @@ Expected<void> run_centerline(const Registry& registry, const CenterlineRequest&
       is_table ? Expected<LineText>(LineText{kStationColumns + result.table}) : job->format->write(result.lines);
   if (!text) return std::unexpected(text.error());
   auto done = write_output(request.output, text->text, interruption, {sources, request.force});
-  if (done) say(result.totals.text(result.map, text->off_earth, result.stations));
+  if (done) say(result.totals.text(result.map, text->off_earth, result.stations) + result.remark);
   return done;
 }
 

@@ -267,10 +267,13 @@ Expected<std::optional<CoordinateSystem>> MapShapes::system_of_positions(std::st
     if (!found) return std::unexpected(found.error());
     system = *std::move(found);
   }
-  if (!system || !system->is_geographic) return system;
+  if (!system || !system->is_geographic || positions_.empty()) return system;
   const double half_turn = system->half_turn();
-  // Some files count longitudes from 0 to 360 degrees. Without a system these may be coordinates of a plane.
-  const double longest = is_assumed ? half_turn : 2.0 * half_turn;
+  // Some files count longitudes from 0 to 360 degrees. Without a system a map of more than half a turn that does so may
+  // have coordinates of a plane.
+  const auto [west, east] = std::ranges::minmax(positions_, {}, &Vec2::x);
+  const bool counts_from_zero = west.x >= 0.0 && east.x - west.x <= half_turn;
+  const double longest = is_assumed && !counts_from_zero ? half_turn : 2.0 * half_turn;
   const auto outside = std::ranges::find_if(
       positions_, [&](Vec2 p) { return std::abs(p.x) > longest || std::abs(p.y) > 0.5 * half_turn; });
   if (outside == positions_.end()) return system;
@@ -297,11 +300,15 @@ MapShapes::Turns MapShapes::turns(double half_turn) const {
     double turned = 0.0;
     bool has_long_side = false;
     bool has_pole = false;
+    std::size_t doubtful = 0;
     Vec2 before = is_ring ? all.back() : all.front();
     for (const Vec2 p : all) {
       const double step = p.x - before.x;
       turned += std::remainder(step, 2.0 * half_turn);
       has_long_side = has_long_side || std::abs(step) == 2.0 * half_turn;
+      // Sides across the 180th meridian are short in maps; others that are read so may be meant the other way.
+      constexpr double kShort = 0.25;
+      if (half_turn < std::abs(step) && std::abs(step) < (2.0 - kShort) * half_turn) ++doubtful;
       has_pole = has_pole || std::abs(p.y) == 0.5 * half_turn;
       if (std::abs(step) <= half_turn && (p.x < 0.0) != (before.x < 0.0)) out.sides.cross_zero = true;
       before = p;
@@ -309,6 +316,7 @@ MapShapes::Turns MapShapes::turns(double half_turn) const {
     const bool is_around = is_ring && std::abs(turned) > half_turn;
     if (is_around && !has_pole && out.around_pole == 0) out.around_pole = number;
     if (has_long_side && !is_around) out.sides.are_long = true;
+    if (!is_around) out.doubtful_sides += doubtful;
   }
   return out;
 }
@@ -435,6 +443,15 @@ Expected<LoadedFile> MapShapes::load(const std::string& name, ReadJob& job) && {
   // This is the first warning because the window offers there to change the treatment of degrees.
   file->warnings.insert(file->warnings.begin(), Error{ErrorCode::bad_input, chosen->remark, name}.message());
   remark_on_holes(*file);
+  if (turns.doubtful_sides != 0)
+    file->warnings.push_back(Error{
+        ErrorCode::bad_input,
+        fmt::format("{} of more than 180 degrees of longitude {} read as going the other way, across the 180th "
+                    "meridian; vertices between would tell",
+                    turns.doubtful_sides == 1 ? std::string("a side") : fmt::format("{} sides", turns.doubtful_sides),
+                    turns.doubtful_sides == 1 ? "is" : "are"),
+        name}
+                                 .message());
   return file;
 }
 

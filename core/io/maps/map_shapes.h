@@ -94,6 +94,7 @@ class MapShapes {
     /// With such a corner, as maps of the world draw Antarctica, it is a ring in a plane of longitude and latitude too.
     std::size_t around_pole = 0;
     SidesOnEarth sides{};
+    std::size_t doubtful_sides = 0;  ///< between 180 and 315 degrees long
   };
   Turns turns(double half_turn) const;
   /// Lets lines and rings with sides across the 180th meridian go on beyond it, if they are then less than half a turn

@@ -116,6 +116,14 @@ Expected<ChosenPlane> choose_plane(std::vector<Vec2>& positions, const Coordinat
   const auto error = largest_scale_error(out.plane, extremes);
   if (!error) return std::unexpected(error.error());
   out.remark = remark_of(out.plane, system, *error);
+  if (out.plane.projection == MapProjection::none && !system.is_geographic && !extremes.empty()) {
+    const auto conversion = MapConversion::of(out.plane, MapTarget::wgs84);
+    if (!conversion) return std::unexpected(conversion.error());
+    const Vec2 middle = conversion->from_plane(extremes.back());
+    if (!system.is_used_near(middle.x, middle.y))
+      out.remark += fmt::format("; they lie about {}, {}, where that system is not used",
+                                in_degrees(middle.x, 'E', 'W'), in_degrees(middle.y, 'N', 'S'));
+  }
   return out;
 }
 

@@ -69,6 +69,8 @@ class SystemSearch {
                               in_quotes(out.name)));
     out.id = is_bound ? wkt_of(whole.get()) : id_of(system);
     if (is_wgs84(out.id)) return CoordinateSystem{};
+    proj_.get_area_of_use(context_.get(), system, &out.west, &out.south, &out.east, &out.north, nullptr);
+    if (out.west < -180.0) out.west = -180.0, out.south = -90.0, out.east = 180.0, out.north = 90.0;  // unknown
     // What is made of parameters has no name, so that messages and files have the parameters.
     constexpr std::string_view kNoName = R"("unknown")";
     if (const std::size_t at = out.id.find(kNoName);
@@ -136,6 +138,15 @@ class SystemSearch {
 };
 
 }  // namespace
+
+bool CoordinateSystem::is_used_near(double longitude, double latitude) const {
+  constexpr double kLatitudes = 5.0;
+  constexpr double kLongitudes = 10.0;
+  if (latitude < south - kLatitudes || latitude > north + kLatitudes) return false;
+  const double width = east - west + (east < west ? 360.0 : 0.0) + 2.0 * kLongitudes;
+  const double from_west = longitude - west + kLongitudes;
+  return width >= 360.0 || from_west - 360.0 * std::floor(from_west / 360.0) <= width;
+}
 
 std::string CoordinateSystem::title() const {
   if (id.empty() || id.contains('[')) return name;

@@ -22,7 +22,12 @@ struct CoordinateSystem {
   double unit_size = std::numbers::pi / 180.0;
   double major_axis = 6378137.0;  ///< of the ellipsoid, in metres
   double minor_axis = 6356752.314245179;
+  /// Where its authority means it to be used: longitudes from west to east and latitudes, in degrees; the Earth if it does
+  /// not say.
+  double west = -180.0, south = -90.0, east = 180.0, north = 90.0;
 
+  /// Whether the place is near that area: within five degrees of latitude, ten of longitude.
+  bool is_used_near(double longitude, double latitude) const;
   /// Half a turn of longitude: 180 for degrees. 0 if the system is not geographic.
   double half_turn() const { return is_geographic ? std::round(std::numbers::pi / unit_size) : 0.0; }
   /// "ETRS89 / UTM zone 32N (EPSG:25832)".

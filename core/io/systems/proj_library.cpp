@@ -41,6 +41,7 @@ LoadedProj load_proj() {
   find(proj.trans, "proj_trans");
   find(proj.get_type, "proj_get_type");
   find(proj.get_name, "proj_get_name");
+  find(proj.get_area_of_use, "proj_get_area_of_use");
   find(proj.get_id_auth_name, "proj_get_id_auth_name");
   find(proj.get_id_code, "proj_get_id_code");
   find(proj.as_wkt, "proj_as_wkt");

@@ -24,6 +24,7 @@ struct ProjLibrary {
   decltype(&proj_trans) trans = nullptr;
   decltype(&proj_get_type) get_type = nullptr;
   decltype(&proj_get_name) get_name = nullptr;
+  decltype(&proj_get_area_of_use) get_area_of_use = nullptr;
   decltype(&proj_get_id_auth_name) get_id_auth_name = nullptr;
   decltype(&proj_get_id_code) get_id_code = nullptr;
   decltype(&proj_as_wkt) as_wkt = nullptr;

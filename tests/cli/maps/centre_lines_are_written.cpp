@@ -529,6 +529,28 @@ TEST_CASE("lengths are metres in a map of degrees, whatever its extent") {
   CHECK_THAT(tool.out, !Catch::Contains("10\n8.0"));
 }
 
+TEST_CASE("longitudes may count to 360, and what is doubtful about places is said") {
+  const auto remarks = [](const std::string& corners, const std::vector<std::string>& options = {}) {
+    const RunResult result = run(with({"centerline", "-", "--exact"}, options),
+                                 {.input = R"({"type":"Polygon","coordinates":[[)" + corners + "]]}"});
+    CHECK(result.exit_code == 0);
+    return result.err;
+  };
+  CHECK_THAT(remarks("[190,-20],[190.01,-20],[190.01,-19.997],[190,-19.997],[190,-20]"),
+             Catch::Contains("projected to metres about 170 W, 20 S") && !Catch::Contains("plane"));
+  CHECK_THAT(remarks("[179.99,10],[180.02,10],[180.02,10.005],[179.99,10.005],[179.99,10]"),
+             Catch::Contains("projected to metres") && !Catch::Contains("read as going"));
+  CHECK_THAT(remarks("[0,0],[300,0],[300,80],[0,80],[0,0]"), Catch::Contains("those of a plane"));
+  CHECK_THAT(remarks("[-100,-5],[100,-5],[100,5],[-100,5],[-100,-5]"),
+             Catch::Contains("2 sides of more than 180 degrees of longitude are read as going the other way"));
+  CHECK_THAT(remarks("[179.9,0],[-179.9,0],[-179.9,0.1],[179.9,0.1],[179.9,0]"), !Catch::Contains("other way"));
+  const std::string house = "[8,47],[8.01,47],[8.01,47.003],[8,47.003],[8,47]";
+  CHECK_THAT(remarks(house, {"--crs", "EPSG:25832"}), Catch::Contains("where that system is not used"));
+  CHECK_THAT(remarks("[500000,5500000],[500900,5500000],[500900,5500200],[500000,5500200],[500000,5500000]",
+                     {"--crs", "EPSG:25832"}),
+             !Catch::Contains("not used"));
+}
+
 TEST_CASE("stations lie where their widths are measured") {
   const RunResult result = run({"centerline", "-", "--exact", "--every", "5", "--format", "csv"},
                                {.input = "POLYGON ((0 0, 100 0, 100 20, 60 20, 60 60, 40 60, 40 20, 0 20, 0 0))"});

@@ -160,6 +160,20 @@ TEST_CASE("a system has one name, whatever it was called") {
   CHECK(system_of(local.id) == local);
 }
 
+TEST_CASE("a system is used near the area that its authority names") {
+  const CoordinateSystem zone = system_of("EPSG:25832");
+  CHECK(zone.is_used_near(9.0, 50.0));
+  CHECK(zone.is_used_near(13.0, 52.0));  // many use the zone beside theirs
+  CHECK_FALSE(zone.is_used_near(4.5, 0.0));
+  CHECK_FALSE(zone.is_used_near(30.0, 50.0));
+  const CoordinateSystem across = system_of("EPSG:3460");  // Fiji, across the 180th meridian
+  CHECK(across.is_used_near(179.0, -18.0));
+  CHECK(across.is_used_near(-179.0, -18.0));
+  CHECK_FALSE(across.is_used_near(0.0, -18.0));
+  for (const char* const everywhere : {"EPSG:3857", "", "+proj=tmerc +lon_0=10.5 +lat_0=51 +ellps=GRS80"})
+    CHECK(system_of(everywhere).is_used_near(-100.0, -80.0));
+}
+
 TEST_CASE("a text that names no horizontal system of the Earth is refused in one line") {
   for (const char* name : {"EPSG:999999", "EPSG:43260", "no system", "EPSG:5773", "EPSG:4978", "GEOGCS[", "[[[[",
                            "+proj=nonsense", "+proj=", "PROJCS[\"a\nb\"]", "\x01\x02"}) {

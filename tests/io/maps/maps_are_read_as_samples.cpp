@@ -184,15 +184,15 @@ TEST_CASE("degrees are kept bit for bit where that is asked for") {
 
 TEST_CASE("only longitudes and latitudes are kept or projected, and GeoJSON with others gets a remark") {
   const ReadRequest kept{.degrees = MapDegrees::kept};
-  const std::string geojson = R"({"type": "Point", "coordinates": [181, 2]})";
-  for (const std::string& text : {geojson, std::string("POINT (181 2)"), std::string("181 2\n")}) {
+  const std::string geojson = R"({"type": "Point", "coordinates": [-181, 2]})";
+  for (const std::string& text : {geojson, std::string("POINT (-181 2)"), std::string("-181 2\n")}) {
     for (const ReadRequest& request : {kept, ReadRequest{}}) {
       const LoadedFile file = read_map(text, "map", request);
-      CHECK(file.data.positions == std::vector<Vec2>{{181, 2}});
+      CHECK(file.data.positions == std::vector<Vec2>{{-181, 2}});
       CHECK(file.degrees == std::nullopt);
       std::vector<std::string> told;
       if (text == geojson)
-        told = {"map: 181, 2 is not a longitude and latitude, so the coordinates are those of a plane"};
+        told = {"map: -181, 2 is not a longitude and latitude, so the coordinates are those of a plane"};
       CHECK(file.warnings == told);
     }
   }
