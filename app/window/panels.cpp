@@ -420,6 +420,9 @@ Panels::Room Panels::draw() {
   const auto legend_size = [&](const Box2& box) {
     return ratio * gui.unit() * (box.high - box.low + Vec2{kUsualMarginPx, kUsualMarginPx});
   };
+  // In a narrow window panels lie over the drawing, which would be a dot beside them.
+  constexpr float kNarrow = 0.4F;
+  if (are_shown_ && width < kNarrow * screen.x) sides.right -= column_.panels_width();
   return {{in_pixels(sides.left), in_pixels(sides.top), in_pixels(sides.right), in_pixels(sides.bottom)},
           legend && !uses_.settings.legend_at ? legend_size(*legend) : Vec2{}};
 }

@@ -214,6 +214,36 @@ TEST_CASE("what the steps of a lesson bring is not told of as something that was
   CHECK(window.screen.settled().changes(kNote, before) < 100);
 }
 
+TEST_CASE("Esc ends the writing of a caption, and what was written stays") {
+  const PresentingWindow window;
+  const Screenshot before = window.drawn();
+  window.press("ctrl+k");
+  static_cast<void>(window.screen.settled());
+  window.screen.xdotool("type --delay 20 'steps of the lesson'");
+  static_cast<void>(window.screen.settled());
+  window.press("Return");
+  constexpr PixelBox kLowerPanel{940, 400, 1237, 770};
+  REQUIRE(eventually([&] { return window.screen.settled().changes(kLowerPanel, before) > 1'000; }));
+  constexpr std::array<int, 2> kFirstStep{1090, 501};
+  constexpr std::array<int, 2> kCaption{1087, 690};
+  const auto write = [&](const std::string& words) {
+    window.screen.click(kCaption);
+    static_cast<void>(window.screen.settled());
+    window.press("ctrl+End");
+    window.screen.xdotool("type --delay 20 '" + words + "'");
+    static_cast<void>(window.screen.settled());
+    window.press("Escape");
+    static_cast<void>(window.screen.settled());
+  };
+  window.screen.click(kFirstStep);
+  static_cast<void>(window.screen.settled());
+  write(" with a roof");
+  write(" and a door");
+  window.save_as("kept.json");
+  REQUIRE(eventually([&] { return std::filesystem::exists(window.folder / "kept.json"); }));
+  CHECK_THAT(bytes_of(window.folder / "kept.json"), Catch::Contains("# A house with a roof and a door"));
+}
+
 TEST_CASE("a lesson is exported from the window, and Esc in its dialog leaves without a file") {
   const PresentingWindow window;
   const Screenshot before = window.drawn();

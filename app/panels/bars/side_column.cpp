@@ -18,9 +18,10 @@ constexpr double kLeastWidth = 240.0;
 constexpr double kMostWidth = 1200.0;
 constexpr float kLeastRest = 160.0F;  // toolbar and drawing beside the panels
 constexpr float kLargeSide = 640.0F;
-// Maximal share of the window for the panels, and where it is too small for them.
+constexpr float kUsualWidth = 300.0F;
+// Maximal share of the window for the panels, and where they would be narrower than usual.
 constexpr float kMostOfScreen = 0.45F;
-constexpr float kMostOfSmallScreen = 0.6F;
+constexpr float kMostOfSmallScreen = 0.7F;
 
 }  // namespace
 
@@ -41,9 +42,9 @@ float SideColumn::draw(float top, float height) {
   const std::vector<PanelPage> shown(panels.shown().begin(), panels.shown().end());
   if (shown.empty()) return rail;
   const float wanted = static_cast<float>(settings_.column_width) * unit;
-  const float least = std::min(static_cast<float>(kLeastWidth) * unit, kMostOfSmallScreen * free);
+  const float usual = std::min(kUsualWidth * unit, kMostOfSmallScreen * free);
   // Windows begin at whole pixels, so fractions would leave a slit between them.
-  const float width = std::max(1.0F, std::floor(std::min(wanted, std::max(least, kMostOfScreen * free))));
+  const float width = std::max(1.0F, std::floor(std::min(wanted, std::max(usual, kMostOfScreen * free))));
   panels_width_ = width;
   const PanelArea column{{screen.x - rail - width, top}, {width, height}};
   const bool has_two = shown.size() == 2;

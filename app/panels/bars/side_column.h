@@ -35,6 +35,8 @@ class SideColumn {
   std::span<const SidePage> pages() const { return pages_; }
   /// Draws rail and panels below `top`; returns the width that they take.
   float draw(float top, float height);
+  /// The width of the panels alone, when they were last drawn.
+  float panels_width() const { return panels_width_; }
   /// Draws the window over the canvas if there is one; `room` is the area of the canvas.
   void draw_large(const PanelArea& room);
 
@@ -49,7 +51,7 @@ class SideColumn {
   const ActionBindings& actions_;
   Settings& settings_;
   std::vector<SidePage> pages_;
-  float panels_width_ = 0.0F;  // of the panels beside the rail, when they were last drawn
+  float panels_width_ = 0.0F;
 };
 
 }  // namespace mes

@@ -85,6 +85,14 @@ std::string coordinates(const Canvas& canvas, const Document& document) {
 
 }  // namespace
 
+// Only an item with a name makes the window wait for its tooltip.
+void StatusBar::explain_text(const char* id, const std::string& explanation) const {
+  const ImVec2 size = ImGui::GetItemRectSize();
+  ImGui::SetCursorScreenPos(ImGui::GetItemRectMin());
+  ImGui::InvisibleButton(id, {std::max(1.0F, size.x), std::max(1.0F, size.y)});
+  tooltip(gui, explanation);
+}
+
 float StatusBar::height() const {
   return 28 * gui.unit();
 }
@@ -111,7 +119,7 @@ void StatusBar::draw(const PanelArea& area) const {
     const float remark_width = remark.empty() ? 0.0F : ImGui::CalcTextSize(remark.c_str()).x + 24 * unit;
     const float left_width = std::max(kLeastRemark * unit, remark_width);
     const bool has_room = before_verdict > coordinates_width + left_width + chips.full_width();
-    const bool has_counts = before_verdict > chips.width_in(0.0F);
+    const bool has_counts = before_verdict > std::max(chips.width_in(0.0F), remark_width);
     const float counts_at =
         has_counts ? std::max(0.0F, before_verdict - (has_room ? coordinates_width : 0.0F)) : verdict_at - 14 * unit;
     const float chips_room = counts_at - kLeastRemark * unit;
@@ -128,7 +136,7 @@ void StatusBar::draw(const PanelArea& area) const {
         ImGui::TextDisabled("%s", shown.c_str());
       else
         ImGui::TextUnformatted(shown.c_str());
-      if (!remark.empty() || shown != text) tooltip(gui, text);
+      if (!remark.empty() || shown != text) explain_text("##message", text);
     }
     if (!share.empty()) {
       ImGui::SameLine(0, 16 * unit);
@@ -149,11 +157,7 @@ void StatusBar::draw(const PanelArea& area) const {
       ImGui::SameLine(verdict_at - 14 * unit - ImGui::CalcTextSize(right_text.c_str()).x);
       ImGui::TextDisabled("%s", right_text.c_str());
       if (const auto& map = editor.document().map()) {
-        // Only an item with a name makes the window wait for its tooltip.
-        const ImVec2 size = ImGui::GetItemRectSize();
-        ImGui::SetCursorScreenPos(ImGui::GetItemRectMin());
-        ImGui::InvisibleButton("##plane", {std::max(1.0F, size.x), size.y});
-        tooltip(gui, plane_in_words(*map));
+        explain_text("##plane", plane_in_words(*map));
       }
     }
     ImGui::SameLine(verdict_at);

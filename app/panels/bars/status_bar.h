@@ -2,6 +2,8 @@
 // A line at the bottom of the window: hint or last message, work in progress, counts, coordinates.
 #pragma once
 
+#include <string>
+
 #include "app/actions/messages.h"
 #include "app/canvas/canvas.h"
 #include "app/editing/editor.h"
@@ -26,6 +28,10 @@ struct StatusBar {
   /// Height in screen coordinates.
   float height() const;
   void draw(const PanelArea& area) const;
+
+ private:
+  /// A tooltip for the text that was drawn last.
+  void explain_text(const char* id, const std::string& explanation) const;
 };
 
 }  // namespace mes

@@ -42,11 +42,12 @@ float width_with(const Gui& gui, std::string_view epsilon) {
   return (kChoiceWidth + kLightWidth + epsilon_width(gui, epsilon) + 12) * gui.unit();
 }
 
-/// Empty if it has no room beside the light.
+/// Empty if it has no room beside the light and a message.
 std::string epsilon_of(const Verdict& verdict, float room) {
   const auto epsilon = sampling_verdict(verdict.picture.nodes()).epsilon;
   const std::string text = epsilon ? epsilon->text() : std::string();
-  return width_with(verdict.gui, text) > room ? std::string() : text;
+  constexpr float kMostOfRoom = 0.6F;
+  return width_with(verdict.gui, text) > kMostOfRoom * room ? std::string() : text;
 }
 
 void draw_choice(const Verdict& verdict) {

@@ -98,8 +98,8 @@ std::optional<std::size_t> LessonPanel::draw_steps(const Lesson& lesson, std::op
       if (ImGui::Selectable("##step", current == i)) clicked = i;
       if (has_changed && current == i) ImGui::SetScrollHereY();
       ImGui::SameLine(left);
-      ImGui::TextUnformatted(elided(name, width - right - 12 * gui_.unit()).c_str());
-      ImGui::SameLine(left + width - right);
+      ImGui::TextUnformatted(elided(name, width - right - 18 * gui_.unit()).c_str());
+      ImGui::SameLine(left + width - right - 6 * gui_.unit());
       ImGui::TextDisabled("%s", seconds.c_str());
       ImGui::PopID();
     }
@@ -111,8 +111,16 @@ std::optional<std::size_t> LessonPanel::draw_steps(const Lesson& lesson, std::op
 void LessonPanel::draw_chosen(float height) {
   ImGui::Separator();
   draw_buttons();
+  const std::string typed = caption_;
   ImGui::InputTextMultiline("##caption", &caption_, {-1.0F, height});
+  if (is_left_by_escape()) caption_ = typed;
   if (ImGui::IsItemDeactivatedAfterEdit()) lesson_editor_.set_caption(caption_);
+  if (caption_.empty() && !ImGui::IsItemActive()) {
+    const ImVec2 corner = ImGui::GetItemRectMin();
+    const ImVec2 padding = ImGui::GetStyle().FramePadding;
+    ImGui::GetWindowDrawList()->AddText({corner.x + padding.x, corner.y + padding.y},
+                                        ImGui::GetColorU32(ImGuiCol_TextDisabled), "Caption of this step");
+  }
   tooltip(gui_, "# Heading, - item, **bold**, *italics*, $\\alpha^2$; an empty line begins a paragraph");
 }
 

@@ -38,6 +38,16 @@ ImFont* add_font(ImFontAtlas& atlas, const std::filesystem::path& file, float si
   return atlas.AddFontFromFileTTF(file.c_str(), size, &config, kGlyphs.data());
 }
 
+/// The scale at which panels, dialogs and the drawing have room beside each other. In steps, since each new scale loads
+/// the fonts.
+double largest_scale(GlfwWindow::Size size) {
+  constexpr double kLeastWidth = 512.0;
+  constexpr double kLeastHeight = 384.0;
+  constexpr double kSteps = 8.0;
+  const double room = std::min(size.width / kLeastWidth, size.height / kLeastHeight);
+  return std::max(1.0, std::floor(kSteps * room) / kSteps);
+}
+
 }  // namespace
 
 Gui::Gui(GlfwWindow& window, std::filesystem::path assets) : window_(window), assets_(std::move(assets)) {
@@ -104,7 +114,8 @@ ImFont* Gui::letters(Look look, double size) const {
 void Gui::begin_frame(const Settings& settings) {
   const double ratio = window_.pixel_ratio();
   const double enlarged = settings.interface_scale * (settings.for_projector ? kProjectorScale : 1.0);
-  const double scale = std::clamp(window_.content_scale() * enlarged, 0.5, 8.0);
+  const double wanted = std::clamp(window_.content_scale() * enlarged, 0.5, 8.0);
+  const double scale = std::min(wanted, largest_scale(window_.framebuffer_size()));
   const bool is_new_scale = scale != font_scale_;
   if (is_new_scale || lacks_letters()) {
     const bool is_first = font_scale_ == 0.0;

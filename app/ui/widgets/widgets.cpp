@@ -216,6 +216,10 @@ void polyline(ImDrawList& list, std::span<const ImVec2> points, ImU32 color, boo
   if (is_closed) list.AddLine(points.back(), points.front(), color, thickness);
 }
 
+bool is_left_by_escape() {
+  return ImGui::IsItemDeactivated() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
+}
+
 void tooltip(const Gui& gui, const std::string& text) {
   const ImRect panel = root_window().OuterRectClipped;
   tooltip(gui, text, {panel.Min, panel.GetSize()});

@@ -74,6 +74,9 @@ std::optional<ImVec2> tooltip_place(const TooltipRoom& room);
 
 /// Explains the last item when the pointer rests on it, even if it is disabled.
 void tooltip(const Gui& gui, const std::string& text);
+/// True if Esc ended the writing in the field that was drawn last. Dear ImGui restores the initial text then; the text
+/// that the field had before it was drawn is what was typed.
+bool is_left_by_escape();
 /// The same for an item of a panel that lies in `panels` together with others, which should not be covered either.
 void tooltip(const Gui& gui, const std::string& text, const PanelArea& panels);
 

@@ -48,5 +48,5 @@ TEST_CASE("a narrow window with large letters shows the whole light, without its
     const PixelBox light = window.screen.settled().box_of({0, 425, 640, 480}, is_light);
     return light.right - light.left;
   };
-  CHECK(eventually([&] { return width_of_light() >= 18; }));
+  CHECK(eventually([&] { return width_of_light() >= 11; }));
 }

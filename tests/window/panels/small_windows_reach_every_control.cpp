@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// In a window of 640 x 480 pixels with letters twice as large, no control of a dialog, a menu or a popup is out of
-// reach: it is in the window, or can be scrolled there. The program itself tells which parts are not
+// In a window of 640 x 480 pixels, where letters are to be twice as large, no control of a panel, a dialog, a menu or a
+// popup is out of reach: it is in the window, or can be scrolled there. The program itself tells which parts are not
 // (MESECINA_SHOWS_REACH).
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -85,14 +85,33 @@ TEST_CASE("every dialog fits a small window with large letters") {
   window.expect_reach_of("unsaved work", [&] { window.press("ctrl+n"); });
 }
 
-TEST_CASE("menus are reached in a small window with large letters") {
-  // The highest one, the widest one, and the one with those that have no room in the bar.
-  for (const int x : {52, 126, 559}) {
-    SmallWindow window;
-    const Screenshot closed = window.screen.settled();
-    window.screen.click({x, 26});
-    INFO("the menu at " << x);
-    REQUIRE(eventually([&] { return window.screen.settled().changes(kSmallWindow, closed) > 5'000; }));
-    CHECK(window.news() == "");
+TEST_CASE("menus and panels are reached in a small window with large letters") {
+  SmallWindow window;
+  for (const int x : {29, 79, 130, 202, 277, 337, 409})
+    window.expect_reach_of("the menu at " + std::to_string(x), [&] { window.screen.click({x, 15}); });
+  // The rail, from top to bottom in both columns; the panel of layers is open.
+  for (const int x : {568, 613})
+    for (const int y : {100, 155, 200}) {
+      window.screen.click({x, y});
+      window.expect_reach("the panel at " + std::to_string(x) + ", " + std::to_string(y));
+    }
+  for (const int y : {245, 300, 345, 390}) {
+    window.screen.click({568, y});
+    window.expect_reach("the panel at 568, " + std::to_string(y));
   }
+}
+
+TEST_CASE("in a small window the interface is smaller than it is to be, and panels lie over the drawing") {
+  SmallWindow window;
+  window.screen.click({516, 54});  // closes the panel of layers
+  const Screenshot alone = window.screen.settled();
+  const auto is_ink = [](Color c) { return c.r < 60 && c.g < 60 && c.b < 60; };
+  constexpr PixelBox kDrawing{116, 34, 160, 440};
+  window.press("l");
+  const Screenshot beside = window.screen.settled();
+  // The rail begins at 543 pixels with letters a quarter larger, and at 440 with those of twice the size.
+  CHECK(alone.changes({543, 34, 640, 440}, beside) < 5'000);
+  CHECK(alone.changes({200, 34, 540, 440}, beside) > 5'000);
+  CHECK(alone.changes(kDrawing, beside) == 0);
+  CHECK(alone.box_of({116, 34, 540, 440}, is_ink).right > 300);
 }

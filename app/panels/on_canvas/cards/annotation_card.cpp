@@ -75,8 +75,7 @@ bool AnnotationCard::draw_words(const Gui& gui, Annotation& annotation, bool is_
   const bool is_entered = ImGui::InputTextMultiline(
       "##words", &annotation.text, {kAnnotationWidth * unit, 2.6F * ImGui::GetTextLineHeight()},
       ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CtrlEnterForNewLine);
-  // Dear ImGui restores the initial text on Esc, but here Esc ends the writing, and undo removes text.
-  const bool is_left = ImGui::IsItemDeactivated() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
+  const bool is_left = is_left_by_escape();
   if (is_left) annotation.text = before;
   if (annotation.text.size() > kMostAnnotationBytes) annotation.text.resize(kMostAnnotationBytes);
   const RichText words =
