@@ -42,6 +42,8 @@ struct MapPlane {
   /// Width and height of the page of a drawing, whose lower left corner is the origin; zero: it has none.
   Vec2 page{};
 
+  /// Whether it is the plane of a drawing, which lies nowhere on the Earth.
+  bool is_of_drawing() const { return projection == MapProjection::none && system.empty() && unit != "degree"; }
   /// Symbol or name of the unit of lengths in the plane.
   std::string_view plane_unit() const {
     if (projection == MapProjection::azimuthal || unit == "metre") return "m";

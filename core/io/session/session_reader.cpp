@@ -95,8 +95,8 @@ MapPlane map_from(JsonView object) {
     if (unit) out.unit = line_from(unit, "unit", where);
     if (page) {
       const std::vector<Vec2> size = places_of(page, where);
-      if (size.size() != 1 || !(size[0].x > 0.0 && size[0].y > 0.0))
-        throw Nonsense{"map: the page has no width and height", page};
+      if (size.size() != 1 || !(size[0].x > 0.0 && size[0].y > 0.0) || !out.is_of_drawing())
+        throw Nonsense{"map: this is no page of a drawing", page};
       out.page = size[0];
     }
     return out;

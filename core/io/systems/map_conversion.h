@@ -15,7 +15,7 @@ namespace mes {
 
 /// False for the plane of a drawing.
 inline bool is_on_earth(const MapPlane& plane) {
-  return plane.projection != MapProjection::none || !plane.system.empty() || plane.unit == "degree";
+  return !plane.is_of_drawing();
 }
 
 enum class MapTarget : std::uint8_t {

@@ -8,7 +8,7 @@
 // A line gives the location on the Earth of points that were a map: `# map UNIT of SYSTEM` if they are in a coordinate
 // system, `# map metres about LONGITUDE LATITUDE of SYSTEM` if they were projected. Without a system this is longitude
 // and latitude on WGS 84; old files have `kilometres` and the equirectangular projection, or just `# map degrees`.
-// Points of a drawing may have a unit: `# unit mm`.
+// Points of a drawing may have a unit: `# unit mm`, and after that the width and height of its page: `# page 210 297`.
 #include <fmt/core.h>
 #include <algorithm>
 #include <array>
@@ -85,6 +85,15 @@ bool is_unit(std::string_view text) {
          text.find_first_of(" \t") == std::string_view::npos && printable(text) == text;
 }
 
+/// Width and height of a page; nothing if the comment says something else.
+std::optional<Vec2> read_page(std::string_view rest) {
+  take_word(rest);
+  const auto width = parse_number(take_word(rest));
+  const auto height = parse_number(take_word(rest));
+  if (!width || !height || !(*width > 0.0) || !(*height > 0.0) || !trimmed(rest).empty()) return std::nullopt;
+  return Vec2{*width, *height};
+}
+
 /// Records the comments about loops, which can be checked only after the points, and about a map.
 class PoffScanner final : public Scanner {
  public:
@@ -105,6 +114,8 @@ class PoffScanner final : public Scanner {
     if (const auto map = text.starts_with("map ") ? read_map(text) : std::nullopt) map_ = map;
     if (const auto unit = text.starts_with("unit ") ? trimmed(text.substr(5)) : std::string_view(); is_unit(unit))
       map_ = MapPlane{.unit = std::string(unit)};
+    const auto page = text.starts_with("page ") ? read_page(text) : std::nullopt;
+    if (page && map_ && map_->is_of_drawing()) map_->page = *page;
     if (text.starts_with("loop")) notes_.push_back({text, line(), column_of(text.data())});
   }
   std::vector<Note> notes_;

@@ -10,8 +10,12 @@ namespace mes {
 void append_map_line(std::string& out, const std::optional<MapPlane>& map) {
   if (!map) return;
   const bool is_in_system = map->projection == MapProjection::none;
-  if (is_in_system && map->system.empty() && map->unit != "degree") {
+  if (map->is_of_drawing()) {
     out += "# unit " + map->unit + '\n';
+    if (map->page == Vec2{}) return;
+    append_number(out += "# page ", map->page.x);
+    append_number(out += ' ', map->page.y);
+    out += '\n';
     return;
   }
   out += "# map ";

@@ -207,6 +207,10 @@ TEST_CASE("what is of the plane stays in the plane") {
   const Json input = Json::parse(done({"compute", "-", "--layers", "points"}, drawing))["input"];
   CHECK(input["unit"] == "mm");
   CHECK_FALSE(input.contains("system"));
+  CHECK_THAT(done(exporting("-", "points", "poff"), drawing + "# page 400 250.5\n"),
+             Catch::Contains("# unit mm\n# page 400 250.5\n"));
+  for (const char* note : {"# page 400", "# page 400 -1", "# page 1 2 3"})
+    CHECK_THAT(done(exporting("-", "points", "poff"), drawing + note + "\n"), !Catch::Contains("# page"));
   for (const char* note : {"# unit", "# unit of lengths", "# unit degree"})
     CHECK_FALSE(Json::parse(done({"compute", "-", "--layers", "points"},
                                  std::string("POFF 1 0 0\n1 2\n") + note + "\n"))["input"]
