@@ -389,6 +389,10 @@ Expected<Repair> repair(const Registry& registry, const SampleData& data, double
 
 std::vector<std::string> Repair::words() const {
   if (!no_axis.empty()) return {"nothing to repair: " + no_axis};
+  if (crossings != 0)
+    return {"nothing was repaired: sides of outlines cross " +
+            (crossings == 1 ? std::string("once") : std::to_string(crossings) + " times") +
+            ", and no samples are dense enough there"};
   std::vector<std::string> out;
   out.push_back(count_text(inserted, "sample", "samples") +
                 (is_on_curves ? " inserted on the curves; " : " inserted; ") + before_and_now(before, after));
@@ -397,8 +401,8 @@ std::vector<std::string> Repair::words() const {
                   (off_curve == 1 ? "stays" : "stay") + " as before");
   if (!corners.empty()) {
     const auto sharpest = std::ranges::min_element(corners, {}, &SampledCorner::degrees);
-    out.push_back("no number of samples is dense enough at " + count_text(corners.size(), "corner", "corners") +
-                  ": the sharpest has " + number_text(sharpest->degrees) + " degrees, " +
+    out.push_back("at " + count_text(corners.size(), "corner", "corners") +
+                  " no samples are dense enough: the sharpest has " + number_text(sharpest->degrees) + " degrees, " +
                   place_and_more(sharpest->place, corners.size()));
   }
   if (!left.empty())

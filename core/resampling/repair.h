@@ -27,6 +27,7 @@ struct Repair {
   SamplingVerdict after{};
   bool is_on_curves = false;           ///< new samples lie on the curves of the old ones
   std::size_t off_curve = 0;           ///< samples on none of these curves
+  std::size_t crossings = 0;           ///< pairs of sides of outlines that cross: no density satisfies epsilon there
   std::string no_axis{};               ///< why the axis is missing and nothing is measured; empty if there is an axis
   std::vector<SampledCorner> corners;  ///< corners: no density satisfies epsilon at their edges
   std::vector<Vec2> open_ends;         ///< ends and junctions of the curve; edges there are not halved
@@ -43,6 +44,7 @@ struct Repair {
 /// If the data know the curves of the samples, and at least half of the samples lie on them, new samples lie exactly on
 /// these curves, until the samples stand for them with that epsilon (core/curves/feature_field.h) away from corners.
 /// While the light is yellow, samples nearer to the corners, and denser ones, are tried too, and kept if they help.
+/// Nothing is inserted into outlines that cross, since the samples would become ever denser there.
 /// Otherwise:
 ///
 /// Guarantees:

@@ -215,6 +215,16 @@ TEST_CASE("an undersampled curve is repaired, and a dense one decimated, and wha
     CHECK(nothing.exit_code == 0);
     CHECK_THAT(nothing.err, Catch::Contains("there is no axis"));
   }
+  // Samples at a crossing are never dense enough, however many there are.
+  const std::string bow_tie = folder.write("bow-tie.wkt", "POLYGON ((0 0, 20 5, 20 0, 0 5, 0 0))").string();
+  const RunResult crossed = run({"repair", bow_tie});
+  CHECK(crossed.exit_code == 0);
+  CHECK_THAT(crossed.err,
+             Catch::EndsWith("nothing was repaired: sides of outlines cross once, and no samples are dense "
+                             "enough there\n"));
+  const std::size_t samples =
+      nlohmann::json::parse(run({"compute", bow_tie, "--layers", "points"}).out)["input"]["samples"];
+  CHECK(crossed.out.starts_with("POFF " + std::to_string(samples) + " "));
 }
 
 TEST_CASE("births and deaths are a table, the longest first") {

@@ -14,6 +14,7 @@
 #include "core/document/taken_samples.h"
 #include "core/resampling/internal/sampled_curve.h"
 #include "core/structures/density/sample_sizes.h"
+#include "core/structures/outline/outline_sides.h"
 
 namespace mes {
 namespace {
@@ -119,6 +120,12 @@ Expected<std::optional<Repair>> repair_on_curves(const Registry& registry, const
   out->off_curve = before.off_curve;
   out->is_on_curves = true;
   if (!own->has_axis()) out->no_axis = "the curves have no axis";
+  out->crossings = faults_of_outlines(data.source->curves->curves, job).crossings;
+  if (out->crossings != 0) {
+    out->data = data;
+    out->after = out->before;
+    return out;
+  }
   // First only edges away from corners; if the theorem asks for more, then ever nearer to the corners, and denser.
   struct Try {
     double epsilon;
