@@ -151,7 +151,7 @@ Expected<DrawnFigure> draw_figure(const FigureRequest& request, const FigureSour
                                              source.traced,
                                              {request.image.center, request.image.width}}};
   const bool is_annotated = request.with_annotations && !source.annotations.is_empty();
-  const std::vector<LegendEntry> entries = legend_of(explained, request.legend);
+  std::vector<LegendEntry> entries = legend_of(explained, request.legend);
   const bool is_numbered = has_texts(request.shown);
   std::optional<PaperFonts> fonts;
   DrawnFigure out;
@@ -211,6 +211,14 @@ Expected<DrawnFigure> draw_figure(const FigureRequest& request, const FigureSour
                          page.units_per_point};
     });
   const TitledPage titled = laid_out(strip);
+  if (!entries.empty()) {
+    // The legend shows lines and points as wide as they are drawn on this page.
+    const std::vector<render::LayerView> drawn =
+        views_of(request.shown, spacing / (titled.page.units_per_point * points));
+    figure::Drawing on_page = explained;
+    on_page.views = drawn;
+    entries = legend_of(on_page, request.legend);
+  }
   const Explanations around = explained_on(titled, strip);
   if (!titled.title.complaint.empty()) out.remarks.push_back("the title: " + titled.title.complaint);
   out.figure = drawn_on(titled.page, around.annotated);

@@ -21,8 +21,9 @@
 namespace mes::cli {
 namespace {
 
-std::vector<LegendEntry> entries_in(const render::Scene& scene, const FigureRequest& request) {
-  return legend_of(request.shown.descriptors, scene, views_of(request.shown, 0.0), request.legend);
+/// `spacing_px` between samples makes the lines of the legend as thin as they are drawn; 0 leaves them as they are.
+std::vector<LegendEntry> entries_in(const render::Scene& scene, const FigureRequest& request, double spacing_px) {
+  return legend_of(request.shown.descriptors, scene, views_of(request.shown, spacing_px), request.legend);
 }
 
 /// Adds the explanations on top of the finished picture.
@@ -30,8 +31,9 @@ void add_paper(render::Image& image, const render::Scene& scene, const PictureLa
                const FigureSource& source, const FigureRequest& request, const PaperFonts& fonts) {
   const double scale = request.shown.scale;
   const PaperDrawing& title = layout.title.drawing;
+  const double spacing_px = typical_spacing(source.document) / (layout.camera.units_per_pixel() * scale);
   const Explanations around = explain(request, source, seen_plane(layout.camera, scale), title.height,
-                                      entries_in(scene, request), layout.strip, fonts);
+                                      entries_in(scene, request, spacing_px), layout.strip, fonts);
   for (const std::string& complaint : around.annotated.complaints) say(complaint);
   paint(image, fonts, around.annotated.highlights, {0.0, 0.0}, scale);
   paint(image, fonts, around.annotated.drawing, {0.0, 0.0}, scale);
@@ -101,7 +103,7 @@ PictureLayout layout_of(const PictureSize& size, const Seen& seen, TitleBand tit
                       {.above = title.pixels, .below = pixels(strip.below), .right = pixels(strip.right)});
   };
   LegendStrip strip;
-  const auto entries = entries_in(canvas.scene, request);
+  const auto entries = entries_in(canvas.scene, request, 0.0);
   const auto fonts = PaperFonts::read(find_assets({}));
   if (request.legend_beside && !request.legend_at && !entries.empty() && fonts)
     strip = strip_for_legend([&](const LegendStrip& tried) {
