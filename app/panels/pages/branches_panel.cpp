@@ -222,7 +222,7 @@ void BranchesPanel::draw_histogram(float height, bool is_large) {
   const double most = *std::ranges::max_element(histogram_.lengths);
   // Square roots keep short parts, such as spurious branches, visible beside long ones.
   const Plot plot(uses_.gui, {at, size}, {0.0, histogram_.high, shows_lambda ? "lambda" : "radius"},
-                  {0.0, most, "length of the axis, on a scale of roots", true}, is_large);
+                  {0.0, most, "length of the axis (scale of square roots)", true}, is_large);
   plot.draw_frame(list);
   ComputationSettings settings = uses_.computation.settings();
   double& limit = settings[Parameter::lambda_limit];

@@ -148,7 +148,7 @@ void PersistencePanel::draw_words() {
 // Drawn below the diagram, which would otherwise move under the pointer when the text takes another line.
 void PersistencePanel::draw_chosen() {
   const auto chosen = uses_.latest.chosen();
-  paragraph(chosen ? in_words(uses_.latest.table()->rows[*chosen]) : "Click on a point");
+  paragraph(chosen ? in_words(uses_.latest.table()->rows[*chosen]) : "Click a point to read its birth and death");
 }
 
 void PersistencePanel::place_dots(View& view, const Scale& scale) {

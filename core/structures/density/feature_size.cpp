@@ -585,11 +585,8 @@ void FeatureSize::find(std::vector<Finding>& out) const {
   Finding& finding = out.emplace_back();
   finding.level = FindingLevel::note;
   finding.epsilon = measured;
-  finding.text = fmt::format(
-      "curve edge is the sparsest: {}, half its length over the distance of its ends to the axis, as far as the "
-      "samples "
-      "show both; up to {} samples of smooth curves are dense",
-      measured->text(), kDenseEpsilon);
+  finding.text = fmt::format("curve edge is the sparsest: {}; samples of smooth curves are dense up to {}",
+                             measured->text(), kDenseEpsilon);
   finding.count = 1;
   finding.places.push_back({0.5 * a.x + 0.5 * b.x, 0.5 * a.y + 0.5 * b.y});
 }
