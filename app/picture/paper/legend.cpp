@@ -97,7 +97,7 @@ class LegendLayout {
     const LayerStyle style = drawn_on(sample.style, background_);
     const Rgb color = mixed(colors_.paper, style.color, style.opacity);
     const Vec2 middle{place.left + 0.5 * place.width, place.top + 0.5 * place.height};
-    const double thick = std::clamp(style.line_width_px, 1.0, 5.0);
+    const double thick = std::clamp(style.line_width_px, 0.5, 5.0);
     if (sample.is_text) {
       const double size = std::clamp(style.point_size_px, 6.0, kSmallTextSize);
       const std::string number = "7";

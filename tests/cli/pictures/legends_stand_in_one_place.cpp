@@ -214,3 +214,33 @@ TEST_CASE("a layer that draws nothing has no legend, in any format") {
     CHECK_THAT(contents_of(to), !Catch::Contains("no number is finite"));
   }
 }
+
+TEST_CASE("a line of the legend is as wide as those of the layer, where samples are dense as well") {
+  const TemporaryFolder folder;
+  for (const int samples : {40, 4000}) {
+    INFO(samples << " samples");
+    std::string circle;
+    for (int i = 0; i < samples; ++i) {
+      const double angle = 2.0 * 3.14159265358979 * i / samples;
+      circle += std::to_string(std::cos(angle)) + ' ' + std::to_string(std::sin(angle)) + '\n';
+    }
+    const std::string file = folder.write("circle.xyz", circle).string();
+    const std::string figure = (folder / "circle.svg").string();
+    REQUIRE(run({"render", file, "--layers", "curve", "--key", "--size", "1200x900", "--no-source", "--force", "-o",
+                 figure})
+                .exit_code == 0);
+    const std::string text = contents_of(figure);
+    const auto number_after = [&](const std::string& mark, std::size_t from) {
+      const std::size_t at = text.find(mark, from);
+      REQUIRE(at != std::string::npos);
+      return std::stod(text.substr(at + mark.size()));
+    };
+    const std::size_t legend = text.find("id=\"legend\"");
+    REQUIRE(legend != std::string::npos);
+    // The frame, the paper within it, and the line.
+    std::size_t line = legend;
+    for (int i = 0; i < 3; ++i) line = text.find("<rect", line + 1);
+    CHECK(number_after(" height=\"", line) ==
+          Approx(number_after("stroke-width=\"", text.find("id=\"curve\""))).epsilon(0.05));
+  }
+}
