@@ -6,7 +6,9 @@
 #include <functional>
 #include <memory>
 #include <utility>
+#include <vector>
 
+#include "core/base/geometry/coordinate_range.h"
 #include "core/base/geometry/quick_length.h"
 #include "core/curves/cuts.h"
 #include "core/curves/line_regions.h"
@@ -56,10 +58,28 @@ std::string about_flat(std::size_t count, bool are_all) {
                     : fmt::format("{} outlines without a width are left out", count);
 }
 
+/// A sentence on a vertex too far away for a document; empty if there is none. Squares of such numbers are infinite, so
+/// that sampling would compare all with all.
+std::string about_far_vertex(const CurveSet& curves) {
+  const auto is_far = [](Vec2 p) {
+    return is_finite(p) && std::max(exponent_of(p.x), exponent_of(p.y)) > kMostExponent;
+  };
+  for (const PlaneCurve& curve : curves.curves) {
+    if (!curve.is_polyline()) continue;
+    const auto far = std::ranges::find_if(curve.points(), is_far);
+    if (far == curve.points().end()) continue;
+    std::vector<Vec2> alone{*far};
+    return bring_into_range(alone);
+  }
+  return {};
+}
+
 /// Samples curves without cutting them. `flat` is the number of outlines without a width that were removed.
 Expected<LoadedFile> samples_of(CurveSet curves, const SamplingRequest& wanted, const std::string& name, ReadJob& job,
                                 std::size_t flat) {
   if (flat != 0 && curves.is_empty()) return bad_input(about_flat(flat, true), name, 1, 1);
+  if (const std::string fault = about_far_vertex(curves); !fault.empty())
+    return bad_input("of the samples, " + fault, name, 1, 1);
   const SamplingRequest request = job.takes_vertices() ? SamplingRequest{.rule = SamplingRule::vertices} : wanted;
   curves.curves = with_line_regions(std::move(curves.curves), curves.resolution, job.control());
   auto samples = sample(curves, request, {}, job.control());
