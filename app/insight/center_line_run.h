@@ -32,7 +32,7 @@ CenterLineWish wish_of(const ComputationSettings& settings, const Annotations& a
 /// on one core. A digit too many in a coordinate easily asks for more.
 inline constexpr std::size_t kMostOutlineSamples = 250'000;
 
-/// What centre lines are computed of.
+/// The data that centre lines are computed from.
 enum class CenterLineBasis : std::uint8_t {
   own_samples,  ///< the samples of the data
   new_samples,  ///< samples of the curves by local feature size, since the axis of corners alone says little

@@ -71,7 +71,7 @@ class SystemSearch {
     if (is_wgs84(out.id)) return CoordinateSystem{};
     proj_.get_area_of_use(context_.get(), system, &out.west, &out.south, &out.east, &out.north, nullptr);
     if (out.west < -180.0) out.west = -180.0, out.south = -90.0, out.east = 180.0, out.north = 90.0;  // unknown
-    // What is made of parameters has no name, so that messages and files have the parameters.
+    // A system of parameters has no name, so messages and files have the parameters.
     constexpr std::string_view kNoName = R"("unknown")";
     if (const std::size_t at = out.id.find(kNoName);
         text.starts_with('+') && !text.contains('"') && at != std::string::npos) {

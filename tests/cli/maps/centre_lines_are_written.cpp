@@ -493,7 +493,7 @@ TEST_CASE("lines of a drawing lie on its page, in its unit") {
   CHECK(Json::parse(again.out)["layers"]["curve"]["length"].get<double>() == Approx(50.0));
   const RunResult dxf = run(with(command, {"--format", "dxf"}), {.input = drawing("in")});
   CHECK(dxf.out.starts_with("0\nSECTION\n2\nHEADER\n9\n$INSUNITS\n70\n1\n0\nENDSEC\n"));
-  // Without a page there is one around the lines, and without a unit no header.
+  // A drawing without a page gets one around its lines, and one without a unit has no header.
   const RunResult plain =
       run(with(command, {"--format", "svg"}), {.input = "POLYGON ((0 0, 60 0, 60 10, 0 10, 0 0))"});
   CHECK_THAT(plain.out, Catch::Contains(R"(svg" viewBox="4 -6 52 2")"));
