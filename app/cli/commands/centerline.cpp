@@ -253,8 +253,8 @@ CenterLineBasis basis_of(const CenterlineJob& job, bool keeps_samples) {
                            : CenterLineBasis::new_samples;
 }
 
-/// Samples and computes. `remarks` on the outlines and their samples are added even if there is no line. `on_task` is
-/// called with the id of each structure before it begins.
+/// Takes samples and computes the lines. Adds remarks on the outlines and their samples to `remarks`, also if there is
+/// no line. Calls `on_task` with the id of each structure before it begins.
 Expected<FoundLines> find_lines(const Registry& registry, const CenterlineJob& job, const SampleData& data,
                                 CenterLineBasis basis, const std::string& name, std::vector<std::string>& remarks,
                                 const std::function<void(std::string_view)>& on_task) {

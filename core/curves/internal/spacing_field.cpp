@@ -62,7 +62,7 @@ struct Surroundings {
   std::span<const double> lengths;  // for each curve
   const BoxTree<std::uint32_t>& tree;
 
-  /// `in_order` lists the probes in the order of the tree, which keeps near ones mostly together; kNone is no probe.
+  /// `in_order` has the number of the probe at each place of the tree; kNone marks a place without a probe.
   static constexpr std::uint32_t kNone = 0xffffffffU;
   std::span<const std::uint32_t> in_order;
   std::span<const std::uint32_t> place_in_order;
