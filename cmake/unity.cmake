@@ -24,11 +24,11 @@ function(mes_add_rooms target)
   set_property(GLOBAL APPEND PROPERTY mes_libraries_of_rooms ${target})
 endfunction()
 
-# Sources of one translation unit at most. Forty of the program take up to 52 s and 1.1 GiB at -O2, which a change of one
-# costs as well; those of a test program read precompiled headers and gain less. Of those that instantiate triangulations
-# of CGAL three take as much: sources with the property MESECINA_TRIANGULATES, and tests that name CGAL. The scripts start
-# a compiler for each 2 GiB of memory.
-set(mes_unity_batch 40)
+# Sources of one translation unit at most. Those of the program take up to 1.6 GiB at -O2, and half a minute or more, which
+# a change of one costs as well; those of a test program read precompiled headers and gain less. Of those that instantiate
+# triangulations of CGAL three take as much: sources with the property MESECINA_TRIANGULATES, and tests that name CGAL.
+# The scripts start a compiler for each 2 GiB of memory.
+set(mes_unity_batch 46)
 set(mes_unity_batch_of_tests 24)
 set(mes_unity_batch_of_triangulations 3)
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "app/layers/words/parameter_words.h"
 #include "app/picture/paper/pane_sheet.h"
@@ -99,8 +100,8 @@ void PaneHeaders::draw_step(std::size_t pane) const {
 void PaneHeaders::draw_menu(std::size_t pane) const {
   const PaneChoice now = panes.panes()[pane];
   std::optional<PaneChoice> chosen;
-  const auto item = [&](const std::string& name, const PaneChoice& choice, std::string_view explanation = {}) {
-    if (ImGui::MenuItem(name.c_str(), nullptr, choice == now)) chosen = choice;
+  const auto item = [&](const std::string& name, PaneChoice choice, std::string_view explanation = {}) {
+    if (ImGui::MenuItem(name.c_str(), nullptr, choice == now)) chosen = std::move(choice);
     if (!explanation.empty()) tooltip(gui, std::string(explanation));
   };
   if (ImGui::BeginMenu("Number type")) {
