@@ -8,7 +8,7 @@
 
 #include "app/store/texts/cell_text.h"
 #include "core/base/jobs/job_control.h"
-#include "core/document/commands.h"
+#include "core/document/sample_data.h"
 
 namespace mes {
 

@@ -25,7 +25,7 @@
 #include "app/export/shown_layers.h"
 #include "app/layers/layer_stack.h"
 #include "app/panes/pane_list.h"
-#include "core/document/commands.h"
+#include "core/document/sample_data.h"
 #include "core/document/settings/computation_settings.h"
 #include "core/draw/layer_mirror.h"
 #include "core/draw/patch.h"

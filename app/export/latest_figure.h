@@ -16,7 +16,7 @@
 #include "app/export/figure.h"
 #include "app/settings/figure_settings.h"
 #include "app/system/background_job.h"
-#include "core/document/commands.h"
+#include "core/document/sample_data.h"
 #include "core/document/settings/computation_settings.h"
 #include "core/graph/live_registry.h"
 #include "core/io/session/session.h"

@@ -11,7 +11,7 @@
 
 #include "core/base/error.h"
 #include "core/base/jobs/job_control.h"
-#include "core/document/commands.h"
+#include "core/document/sample_data.h"
 #include "core/document/settings/computation_settings.h"
 #include "core/structures/filters/axis_branches.h"
 #include "core/structures/filters/paths/center_line.h"

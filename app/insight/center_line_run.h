@@ -10,7 +10,7 @@
 
 #include "core/base/error.h"
 #include "core/base/jobs/job_control.h"
-#include "core/document/commands.h"
+#include "core/document/sample_data.h"
 #include "core/structures/filters/center_lines.h"
 
 namespace mes {

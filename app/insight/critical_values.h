@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "app/system/latest.h"
-#include "core/document/commands.h"
+#include "core/document/sample_data.h"
 #include "core/graph/live_registry.h"
 
 namespace mes {

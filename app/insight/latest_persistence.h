@@ -25,6 +25,7 @@
 
 #include "app/insight/persistence_table.h"
 #include "app/system/latest.h"
+#include "core/document/commands.h"
 #include "core/graph/live_registry.h"
 
 namespace mes {

@@ -14,7 +14,7 @@
 #include "app/system/background_job.h"
 #include "core/base/error.h"
 #include "core/base/jobs/job_control.h"
-#include "core/document/commands.h"
+#include "core/document/sample_data.h"
 #include "core/document/settings/computation_settings.h"
 #include "core/draw/layer_descriptor.h"
 #include "core/graph/live_registry.h"

@@ -15,12 +15,13 @@
 #include "core/base/error.h"
 #include "core/base/geometry/vec2.h"
 #include "core/base/jobs/job_control.h"
-#include "core/document/commands.h"
+#include "core/document/sample_data.h"
 #include "core/document/settings/computation_settings.h"
 #include "core/draw/layer_descriptor.h"
 
 namespace mes {
 
+class Document;
 class Registry;
 
 /// The growing family: disks about the samples, or balls.

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "app/system/latest.h"
-#include "core/document/commands.h"
+#include "core/document/sample_data.h"
 #include "core/document/settings/computation_settings.h"
 #include "core/graph/live_registry.h"
 

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "core/document/document.h"
+
 namespace mes {
 namespace {
 

@@ -10,10 +10,11 @@
 #include <string_view>
 
 #include "app/layers/layer_stack.h"
-#include "core/document/document.h"
 #include "core/document/settings/pane_choice.h"
 
 namespace mes {
+
+class Document;
 
 inline constexpr std::array kBallFamilies{FamilyKind::inner, FamilyKind::polar, FamilyKind::own};
 

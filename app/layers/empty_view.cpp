@@ -6,6 +6,8 @@
 #include <span>
 #include <string_view>
 
+#include "core/document/document.h"
+
 namespace mes {
 namespace {
 

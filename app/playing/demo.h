@@ -2,7 +2,7 @@
 // The video of the 2007 paper as a session: one-step axis, general pipeline, smoothing.
 #pragma once
 
-#include "core/document/commands.h"
+#include "core/document/sample_data.h"
 #include "core/io/session/session.h"
 
 namespace mes {

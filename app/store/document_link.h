@@ -12,7 +12,7 @@
 
 #include "app/editing/editor.h"
 #include "core/base/error.h"
-#include "core/document/commands.h"
+#include "core/document/sample_data.h"
 #include "core/io/session/session.h"
 
 namespace mes {

@@ -11,7 +11,7 @@
 
 #include "app/system/background_job.h"
 #include "core/base/error.h"
-#include "core/document/commands.h"
+#include "core/document/sample_data.h"
 #include "core/graph/live_registry.h"
 #include "core/raster/trace.h"
 

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/slot.h"
+#include "core/base/ids.h"
 
 namespace mes {
 

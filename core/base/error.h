@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "core/base/slot.h"
+#include "core/base/ids.h"
 
 namespace mes {
 

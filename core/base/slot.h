@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Typed row indices of tables, one type for each table, and identifiers that are never reused.
+// Typed row indices of tables, one type for each table.
 #pragma once
 
 #include <compare>
@@ -7,11 +7,9 @@
 #include <cstdint>
 #include <functional>
 
-namespace mes {
+#include "core/base/ids.h"
 
-/// Index of a row in a table that the type does not name. Used where rows of all tables are treated alike, as in
-/// drawing and picking. `Slot::index` and the constructor of `Slot` convert between the two.
-using RowNumber = std::uint32_t;
+namespace mes {
 
 /// Converts to a slot of any type that names no row.
 enum class NoSlot : std::uint8_t { none };
@@ -100,30 +98,11 @@ constexpr SlotRange<Row> slots_between(std::size_t begin, std::size_t end) {
   return SlotRange<Row>(begin, end);
 }
 
-/// Strong identifier, never reused within a session. `Id<A>` and `Id<B>` do not mix.
-template <class Tag>
-struct Id {
-  std::uint32_t value = 0xffffffffU;
-  bool is_valid() const { return value != 0xffffffffU; }
-  friend constexpr auto operator<=>(Id, Id) = default;
-};
-
-/// Samples and balls of a document: ids, and rows in its tables.
-using SampleId = Id<struct SampleTag>;
-using BallId = Id<struct BallTag>;
+/// Rows of the tables of samples and balls of a document.
 using SampleSlot = Slot<SampleTag>;
 using BallSlot = Slot<BallTag>;
 
-/// Position of a layer in a registry (core/graph/registry.h).
-using LayerIndex = std::uint32_t;
-inline constexpr LayerIndex kNoLayer = 0xffffffffU;
-
 }  // namespace mes
-
-template <class Tag>
-struct std::hash<mes::Id<Tag>> {
-  std::size_t operator()(mes::Id<Tag> id) const noexcept { return std::hash<std::uint32_t>{}(id.value); }
-};
 
 template <class Tag>
 struct std::hash<mes::Slot<Tag>> {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/base/disjoint_sets.h"
+#include "core/base/slot.h"
 #include "core/curves/internal/network.h"
 #include "core/curves/joined_ends.h"
 

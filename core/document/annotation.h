@@ -17,7 +17,7 @@
 #include "core/base/color.h"
 #include "core/base/geometry/vec2.h"
 #include "core/draw/primitives.h"
-#include "core/draw/provenance.h"
+#include "core/draw/provenance_role.h"
 
 namespace mes {
 

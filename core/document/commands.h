@@ -2,8 +2,6 @@
 // Commands: pure functions from a document and a requested change to a delta, or to an error that explains the refusal.
 #pragma once
 
-#include <memory>
-#include <optional>
 #include <span>
 #include <string_view>
 #include <utility>
@@ -11,7 +9,7 @@
 
 #include "core/base/error.h"
 #include "core/document/document.h"
-#include "core/document/map_plane.h"
+#include "core/document/sample_data.h"
 
 namespace mes {
 
@@ -53,21 +51,6 @@ inline Expected<DocumentDelta> change_balls(const Document& document,
                                             std::span<const std::pair<BallId, Disk>> targets) {
   return change_document(document, {.changed_balls = targets});
 }
-
-/// Content for a document, e.g. that of a file.
-struct SampleData {
-  struct Contour {
-    bool closed = true;
-    std::vector<std::uint32_t> points;  ///< indices into `positions`
-    friend bool operator==(const Contour&, const Contour&) = default;
-  };
-  std::vector<Vec2> positions{};
-  std::vector<Contour> contours{};
-  std::vector<Disk> balls{};
-  Annotations annotations{};                    ///< refer to samples by index in `positions`
-  std::shared_ptr<const CurveSource> source{};  ///< curves that samples were taken from, or null
-  std::optional<MapPlane> map{};                ///< where on the Earth they lie; set only for a map
-};
 
 /// Replaces the annotations. Error: the fault that `fault_of` reports.
 Expected<DocumentDelta> annotate(const Document& document, Annotations annotations);

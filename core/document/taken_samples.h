@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "core/document/commands.h"
 #include "core/document/curve_source.h"
+#include "core/document/sample_data.h"
 
 namespace mes {
 

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/base/slot.h"
+#include "core/base/ids.h"
 #include "core/draw/layer_style.h"
 #include "core/draw/primitives.h"
 

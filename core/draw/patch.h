@@ -15,10 +15,9 @@
 
 #include "core/base/geometry/box2.h"
 #include "core/base/geometry/finding.h"
-#include "core/base/slot.h"
+#include "core/base/ids.h"
 #include "core/base/stat.h"
 #include "core/draw/primitives.h"
-#include "core/draw/provenance.h"
 #include "core/draw/variant.h"
 
 namespace mes {

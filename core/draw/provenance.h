@@ -10,6 +10,7 @@
 #include "core/base/geometry/vec2.h"
 #include "core/base/slot.h"
 #include "core/draw/primitives.h"
+#include "core/draw/provenance_role.h"
 #include "core/draw/variant.h"
 
 namespace mes {
@@ -49,8 +50,6 @@ struct ProvenanceShape {
   /// For its defining points, in the order of `HighlightedElement` (core/document/annotation.h).
   std::array<Followed, 3> follows{};
 };
-
-enum class ProvenanceRole : std::uint8_t { itself, origin, product };
 
 struct ProvenanceLine {
   ProvenanceRole role = ProvenanceRole::itself;

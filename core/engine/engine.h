@@ -28,6 +28,7 @@
 
 #include "core/document/delta.h"
 #include "core/draw/patch.h"
+#include "core/draw/provenance.h"
 #include "core/draw/variant.h"
 #include "core/engine/variant_request.h"
 #include "core/structures/inputs/settings_source.h"

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/document/commands.h"
 #include "core/structures/crust/curve.h"
 
 namespace mes {

@@ -11,7 +11,7 @@
 #include "core/base/error.h"
 #include "core/base/geometry/vec2.h"
 #include "core/base/jobs/job_control.h"
-#include "core/document/commands.h"
+#include "core/document/sample_data.h"
 
 namespace mes {
 

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "core/base/slot.h"
+#include "core/base/ids.h"
 
 namespace mes {
 

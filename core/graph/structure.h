@@ -26,8 +26,8 @@
 #include "core/base/assert.h"
 #include "core/base/geometry/finding.h"
 #include "core/base/geometry/vec2.h"
+#include "core/base/ids.h"
 #include "core/base/jobs/job_control.h"
-#include "core/base/slot.h"
 #include "core/base/stat.h"
 #include "core/graph/element.h"
 

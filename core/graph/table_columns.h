@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "core/base/change_set.h"
-#include "core/base/slot.h"
+#include "core/base/ids.h"
 #include "core/graph/element.h"
 
 namespace mes {

@@ -14,13 +14,13 @@
 #include "core/base/error.h"
 #include "core/base/jobs/job_control.h"
 #include "core/base/named_list.h"
-#include "core/document/commands.h"
-#include "core/document/map_plane.h"
+#include "core/document/sample_data.h"
 #include "core/io/files/file_fingerprint.h"
 #include "core/raster/trace_request.h"
 
 namespace mes {
 
+class Document;
 struct Format;
 struct Session;
 

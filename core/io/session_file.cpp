@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Reads samples and balls from a session: its last state.
-#include "core/document/commands.h"
+#include "core/document/sample_data.h"
 #include "core/io/format_spec.h"
 #include "core/io/session/session.h"
 #include "core/io/text/repeated_corners.h"

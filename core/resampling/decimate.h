@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/base/jobs/job_control.h"
-#include "core/document/commands.h"
+#include "core/document/sample_data.h"
 #include "core/engine/sampling_verdict.h"
 
 namespace mes {

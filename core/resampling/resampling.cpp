@@ -15,6 +15,7 @@
 #include "core/base/geometry/box_tree.h"
 #include "core/curves/feature_field.h"
 #include "core/curves/interpolation/smooth_curve.h"
+#include "core/document/commands.h"
 #include "core/document/taken_samples.h"
 #include "core/evolutions/moving_curve.h"
 #include "core/structures/axis/inner_balls.h"

@@ -18,8 +18,8 @@
 #include "core/curves/corners.h"
 #include "core/curves/feature_field.h"
 #include "core/curves/sampling.h"
-#include "core/document/commands.h"
 #include "core/document/curve_source.h"
+#include "core/document/sample_data.h"
 #include "core/engine/sampling_verdict.h"
 
 namespace mes {

@@ -21,7 +21,7 @@
 #include "core/base/error.h"
 #include "core/base/jobs/job_control.h"
 #include "core/curves/curve.h"
-#include "core/document/commands.h"
+#include "core/document/sample_data.h"
 #include "core/document/settings/parameter_values.h"
 
 namespace mes {

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/document/commands.h"
 #include "core/io/format.h"
 #include "core/raster/picture_decoder.h"
 #include "tests/fuzz/reader_checks.h"

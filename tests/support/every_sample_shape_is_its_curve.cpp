@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/builtins/builtins.h"
+#include "core/document/commands.h"
 #include "core/engine/graph.h"
 #include "core/io/format.h"
 #include "core/structures/axis/medial_axis.h"

@@ -15,6 +15,7 @@
 #include "app/experiments/check.h"
 #include "app/experiments/experiment.h"
 #include "app/store/sample_shapes.h"
+#include "core/document/commands.h"
 #include "core/graph/registry.h"
 #include "core/io/files/read_file.h"
 #include "core/io/text/text_numbers.h"

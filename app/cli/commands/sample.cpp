@@ -11,6 +11,7 @@
 #include "app/cli/console/output.h"
 #include "app/cli/requests/input.h"
 #include "app/cli/requests/names.h"
+#include "core/document/commands.h"
 #include "core/io/format.h"
 #include "core/io/text/text_numbers.h"
 #include "core/resampling/resampling.h"

@@ -8,6 +8,7 @@
 #include "app/cli/console/output.h"
 #include "app/cli/requests/names.h"
 #include "app/cli/requests/sampling_request.h"
+#include "core/document/commands.h"
 #include "core/graph/registry.h"
 #include "core/io/format.h"
 #include "core/io/text/text_numbers.h"

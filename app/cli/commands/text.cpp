@@ -6,6 +6,7 @@
 #include "app/cli/requests/sampling_request.h"
 #include "app/store/own_font.h"
 #include "app/store/sample_shapes.h"
+#include "core/document/commands.h"
 #include "core/glyphs/text_outlines.h"
 #include "core/io/format.h"
 

@@ -16,7 +16,7 @@
 
 #include "app/cli/requests/requests.h"
 #include "core/base/error.h"
-#include "core/base/slot.h"
+#include "core/base/ids.h"
 #include "core/document/settings/computation_settings.h"
 #include "core/evolutions/evolution.h"
 #include "core/io/format.h"

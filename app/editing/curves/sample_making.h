@@ -10,7 +10,7 @@
 #include "app/system/background_job.h"
 #include "core/base/error.h"
 #include "core/base/jobs/job_control.h"
-#include "core/document/commands.h"
+#include "core/document/sample_data.h"
 
 namespace mes {
 

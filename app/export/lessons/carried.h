@@ -5,7 +5,7 @@
 #include <string>
 
 #include "core/base/geometry/box2.h"
-#include "core/document/commands.h"
+#include "core/document/sample_data.h"
 #include "core/document/settings/computation_settings.h"
 #include "core/document/settings/layer_configuration.h"
 #include "core/io/session/session.h"

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/picture/paper/internal/small_text.h"
+#include "core/document/document.h"
 #include "core/io/text/round_numbers.h"
 
 namespace mes {

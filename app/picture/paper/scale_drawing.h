@@ -17,11 +17,12 @@
 #include "app/picture/paper/paper_drawing.h"
 #include "app/settings/scale_marks.h"
 #include "core/base/geometry/box2.h"
-#include "core/document/document.h"
 #include "render/camera.h"
 #include "render/figure/figure_of.h"
 
 namespace mes {
+
+class Document;
 
 /// The part of the plane behind a drawing; the drawing has its size in logical pixels.
 struct SeenPlane {

@@ -9,13 +9,13 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "core/document/document.h"
 #include "core/draw/layer_descriptor.h"
 #include "core/draw/layer_mirror.h"
 #include "core/draw/primitives.h"
 
 namespace mes {
 
+class Document;
 class Registry;
 
 /// The geometry to write.

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/base/disjoint_sets.h"
+#include "core/base/slot.h"
 #include "core/curves/curve_bounds.h"
 #include "core/curves/internal/contacts.h"
 #include "core/curves/joined_ends.h"

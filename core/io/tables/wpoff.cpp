@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 #include <array>
 
+#include "core/document/document.h"
 #include "core/io/format_spec.h"
 #include "core/io/meshes/off_header.h"
 

@@ -16,9 +16,9 @@
 #include "core/base/error.h"
 #include "core/base/geometry/disk.h"
 #include "core/base/geometry/vec2.h"
+#include "core/base/ids.h"
 #include "core/base/jobs/job_control.h"
-#include "core/base/slot.h"
-#include "core/document/commands.h"
+#include "core/document/sample_data.h"
 #include "core/document/settings/parameter.h"
 #include "core/graph/registry.h"
 

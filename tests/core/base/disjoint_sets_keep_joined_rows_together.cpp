@@ -5,6 +5,7 @@
 
 #include "core/base/disjoint_sets.h"
 #include "core/base/rng.h"
+#include "core/base/slot.h"
 
 using namespace mes;
 

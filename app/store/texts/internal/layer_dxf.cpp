@@ -7,6 +7,7 @@
 #include "app/store/texts/internal/plane_layer.h"
 #include "app/store/texts/internal/shapes_on_earth.h"
 #include "app/store/texts/internal/straight_shapes.h"
+#include "core/document/document.h"
 
 namespace mes {
 namespace {

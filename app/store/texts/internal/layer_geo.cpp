@@ -8,6 +8,7 @@
 #include "app/store/texts/internal/layer_writers.h"
 #include "app/store/texts/internal/shapes_on_earth.h"
 #include "app/store/texts/internal/straight_shapes.h"
+#include "core/document/document.h"
 #include "core/io/systems/map_conversion.h"
 #include "core/io/text/text_numbers.h"
 

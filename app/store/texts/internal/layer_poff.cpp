@@ -7,6 +7,7 @@
 
 #include "app/store/texts/internal/layer_writers.h"
 #include "app/store/texts/internal/segment_chains.h"
+#include "core/document/document.h"
 #include "core/io/format.h"
 #include "core/io/text/text_numbers.h"
 

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+
+namespace mes {
+
+/// What an element of a provenance is to the element that is asked about.
+enum class ProvenanceRole : std::uint8_t { itself, origin, product };
+
+}  // namespace mes
