@@ -99,7 +99,7 @@ void describe_centerline(const Registry& registry, CLI::App& app, CenterlineRequ
   centerline->add_flag(
       "--each", to.are_features_apart,
       "Treat each feature of a map by itself (geojson, kml, wkt, shapefile, geopackage, flatgeobuf); lines keep\n"
-      "its id and properties");
+      "its id and properties; the exit code is 1 if some have no line, and the others are written");
   centerline->add_option("--format", to.format,
                          help_of_formats(line_text_formats()) +
                              ";\ndefault: by the name of the output, else geojson; stations are a table in csv, and\n"

@@ -52,7 +52,7 @@ struct CenterlineResult {
   CenterLineTotals totals{};
   std::optional<MapPlane> map{};               ///< of the first lines, whose unit all lengths have
   std::set<std::string, std::less<>> taken{};  ///< names of properties of any feature
-  std::string remark{};                        ///< on features without a line
+  std::string failure{};                       ///< counts features without a line; empty if there are none
 };
 
 Expected<Vec2> point_between(const std::string& text) {
@@ -374,8 +374,8 @@ Expected<void> process_features(const Registry& registry, const std::string& fil
     if (!first) first = done.error();
   }
   if (without_line != 0)
-    out.remark =
-        fmt::format("; {} of {} features {} no line", without_line, found.size(), without_line == 1 ? "has" : "have");
+    out.failure = fmt::format("{} of {} features {} no line; the others are written", without_line, found.size(),
+                              without_line == 1 ? "has" : "have");
   remarks.say_all();
   if (out.totals.lines != 0) return {};
   return std::unexpected(Error{first ? first->code : ErrorCode::bad_input, "no feature has a centre line", file});
@@ -431,8 +431,10 @@ Expected<void> run_centerline(const Registry& registry, const CenterlineRequest&
       is_table ? Expected<LineText>(LineText{kStationColumns + result.table}) : job->format->write(result.lines);
   if (!text) return std::unexpected(text.error());
   auto done = write_output(request.output, text->text, interruption, {sources, request.force});
-  if (done) say(result.totals.text(result.map, text->off_earth, result.stations) + result.remark);
-  return done;
+  if (!done) return done;
+  say(result.totals.text(result.map, text->off_earth, result.stations));
+  if (result.failure.empty()) return {};
+  return std::unexpected(Error{ErrorCode::cannot_compute, result.failure, request.file});
 }
 
 }  // namespace mes::cli

@@ -158,7 +158,7 @@ TEST_CASE("the placemarks of a KML keep their attributes") {
       strip("9.") + "</Placemark></Folder></Document></kml>";
   const RunResult apart = run({"centerline", "-", "--each", "--branches", "1"}, {.input = kml});
   INFO(apart.err);
-  REQUIRE(apart.exit_code == 0);
+  REQUIRE(apart.exit_code == 1);
   CHECK_THAT(apart.err, Catch::Contains("-: feature 2: there is nothing in it to take samples of"));
   const Json lines = Json::parse(apart.out)["features"];
   REQUIRE(lines.size() == 2);
@@ -197,7 +197,7 @@ TEST_CASE("the geometries of WKT are numbered, and one that is wrong is named") 
       "POLYGON ((1 2";
   const RunResult apart = run({"centerline", "-", "--each", "--extend"}, {.input = text});
   INFO(apart.err);
-  REQUIRE(apart.exit_code == 0);
+  REQUIRE(apart.exit_code == 1);
   CHECK_THAT(apart.err, Catch::Contains("feature 2: expected a geometry such as POLYGON, found \"POLYGN\"") &&
                             Catch::Contains("feature 3: there is nothing in it to take samples of") &&
                             Catch::Contains("feature 4: expected a number, found \"x\"") &&
