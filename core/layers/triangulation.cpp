@@ -81,7 +81,7 @@ Layer make_polar_triangulation_layer(const StructureSet& set) {
                      .kinds = {PrimitiveKind::segment}},
                     {&diagram},
                     power_part({PrimitiveKind::segment}, diagram, [&diagram](const PowerEdge& edge, Instance& out) {
-                      if (diagram.is_at_infinity(edge.ball[0]) || diagram.is_at_infinity(edge.ball[1])) return;
+                      if (diagram.is_far(edge.ball[0]) || diagram.is_far(edge.ball[1])) return;
                       emit_centers(diagram, edge, out);
                     }));
 }
@@ -99,7 +99,7 @@ Layer make_polar_power_diagram_layer(const StructureSet& set) {
                     {&diagram},
                     power_part({PrimitiveKind::line, PrimitiveKind::ray, PrimitiveKind::segment}, diagram,
                                [&diagram](const PowerEdge& edge, Instance& out) {
-                                 if (!diagram.is_at_infinity(edge.ball[0]) || !diagram.is_at_infinity(edge.ball[1]))
+                                 if (!diagram.is_far(edge.ball[0]) || !diagram.is_far(edge.ball[1]))
                                    emit_power_edge(edge, out);
                                }));
 }

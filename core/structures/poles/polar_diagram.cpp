@@ -26,7 +26,8 @@ PowerCrust::PowerCrust(PoleLabels& labels, PolarDiagram& diagram)
 
 void PowerCrust::rebuild(JobControl&) {
   const auto is_inside = [this](FamilySlot ball) {
-    return !diagram_.is_at_infinity(ball) && labels_.is_inside(same_row<FaceSlot>(ball));
+    const FaceSlot pole = diagram_.pole_of(ball);
+    return pole != kInfinitePole && labels_.is_inside(pole);
   };
   const Table<PowerEdgeSlot, PowerEdge>& edges = diagram_.edges();
   is_crust_.resize(edges.size());

@@ -11,12 +11,14 @@
 
 namespace mes {
 
-/// Each pole at infinity takes part as a very large ball through its sample.
+/// Each pole at infinity, or very far away, takes part as a large ball through its sample (`PolarBalls`).
 class PolarDiagram final : public PowerDiagram {
  public:
   PolarDiagram(SettingsSource& settings, Delaunay& delaunay, VoronoiVertices& vertices, Poles& poles);
 
-  bool is_at_infinity(FamilySlot ball) const { return polar_balls_.is_at_infinity(ball); }
+  /// True for a ball that represents a pole at infinity or very far away.
+  bool is_far(FamilySlot ball) const { return polar_balls_.is_far(ball); }
+  FaceSlot pole_of(FamilySlot ball) const { return polar_balls_.pole_of(ball); }
   void rebuild(JobControl& job) override;
 
  private:

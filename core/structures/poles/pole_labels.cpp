@@ -3,6 +3,7 @@
 
 #include <queue>
 #include <tuple>
+#include <utility>
 
 #include "core/structures/balls/deep_overlap.h"
 #include "core/structures/balls/local_balls.h"
@@ -67,11 +68,6 @@ class PoleGraph {
   std::priority_queue<Candidate> queue_;
 };
 
-double cosine_between(Vec2 a, Vec2 b) {
-  const double size = length(a) * length(b);
-  return size > 0.0 ? dot(a, b) / size : 0.0;
-}
-
 }  // namespace
 
 PoleLabels::PoleLabels(SettingsSource& settings, Delaunay& delaunay, VoronoiVertices& vertices, Labels& labels,
@@ -115,23 +111,30 @@ void PoleLabels::spread(JobControl& job) {
   }
   for (const SiteSlot site : delaunay_.site_slots()) {
     if (!delaunay_.is_site(site) || poles_.minus(site) == kNoSlot) continue;
-    const bool is_hull = poles_.plus(site) == kInfinitePole;
-    const InputSlot a = ball_of_row[is_hull ? family.row_at_infinity(site) : same_row<FamilySlot>(poles_.plus(site))];
-    const InputSlot b = ball_of_row[same_row<FamilySlot>(poles_.minus(site))];
+    const InputSlot a = ball_of_row[family.ball_of_plus(site)];
+    const InputSlot b = ball_of_row[family.ball_of_minus(site)];
     if (a == kNoSlot || b == kNoSlot) continue;
-    const Vec2 p = delaunay_.site_position(site);
-    const Vec2 to_plus = is_hull ? poles_.direction_to_infinity(site) : delaunay_.circumcenter(poles_.plus(site)) - p;
-    graph.link(a, b, true, -cosine_between(to_plus, delaunay_.circumcenter(poles_.minus(site)) - p));
+    graph.link(a, b, true,
+               -dot(family.direction_to(poles_.plus(site), site), family.direction_to(poles_.minus(site), site)));
   }
-  for (const InputSlot i : local.balls.rows())
-    if (family.is_at_infinity(local.balls[i].row)) graph.start_outside(i);
+  // Balls that represent one far pole have its label.
+  Table<FaceSlot, InputSlot> ball_of_pole(delaunay_.face_rows());
+  for (const InputSlot i : local.balls.rows()) {
+    const FamilySlot row = local.balls[i].row;
+    const FaceSlot pole = family.pole_of(row);
+    if (pole == kInfinitePole) {
+      graph.start_outside(i);
+    } else if (const InputSlot other = std::exchange(ball_of_pole[pole], i); other != kNoSlot) {
+      graph.link(i, other, false, 1.0);
+    }
+  }
   graph.spread(job);
 
   inside_.assign(delaunay_.face_rows(), 0);
   unreached_ = 0;
   for (const FaceSlot face : delaunay_.face_slots()) {
     if (!poles_.is_pole(face)) continue;
-    const InputSlot ball = ball_of_row[same_row<FamilySlot>(face)];
+    const InputSlot ball = ball_of_pole[face];
     const bool is_reached = ball != kNoSlot && graph.is_reached(ball);
     inside_[face] = (is_reached ? graph.is_inside(ball) : labels_.is_inside(face)) ? 1 : 0;
     unreached_ += is_reached ? 0 : 1;

@@ -236,6 +236,52 @@ TEST_CASE("on dense samples of smooth curves the power crust is the curve") {
   }
 }
 
+TEST_CASE("straight sides in any direction have a power crust, whatever rounding makes of their samples") {
+  // Rounding bends a side, so samples beside its ends have poles up to 10^16 times the extent away.
+  for (const Precision precision : {Precision::fast, Precision::exact}) {
+    for (const double propagation : {0.0, 1.0}) {
+      for (const double turn : {0.1, 0.7, 1.3}) {
+        std::vector<Vec2> samples;
+        const std::vector<Vec2> corners{{0, 0}, {10, 0}, {10, 3}, {6, 3}, {6, 5}, {0, 5}};
+        const Vec2 along{std::cos(turn), std::sin(turn)};
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+          const Vec2 from = corners[i];
+          const Vec2 to = corners[(i + 1) % corners.size()];
+          const auto steps = static_cast<int>(std::round(distance(from, to) / 0.1));
+          for (int j = 0; j < steps; ++j) {
+            const Vec2 p = from + (static_cast<double>(j) / steps) * (to - from);
+            samples.push_back(p.x * along + p.y * perpendicular(along));
+          }
+        }
+        INFO("turned by " << turn << ", " << id_of(precision) << ", propagation " << propagation);
+        TestBench bench;
+        bench.show({"power-crust", "curve-normals"});
+        ComputationSettings settings;
+        settings.precision = precision;
+        settings[Parameter::pole_propagation] = propagation;
+        bench.choose(settings);
+        bench.replace(samples);
+        CHECK(bench.count("power-crust", "loops") == 1);
+        CHECK(bench.count("power-crust", "unbounded") == 0);
+        // It runs straight between samples, and misses a corner by less than their distance.
+        CHECK(bench.measure("power-crust", "length") == Approx(30.0).epsilon(0.01));
+        const auto& diagram = bench.get<PolarDiagram>();
+        double farthest = 0.0;
+        for (const Vec2 p : samples) {
+          double nearest = 1e99;
+          for (const PowerEdgeSlot edge : diagram.edges().rows())
+            if (bench.get<PowerCrust>().is_crust(edge))
+              nearest = std::min(nearest, distance_to(p, diagram.edges()[edge]));
+          farthest = std::max(farthest, nearest);
+        }
+        CHECK(farthest < (precision == Precision::exact ? 1e-9 : 1e-5));
+        bench.move(bench.ids().front(), samples.front() + Vec2{0.001, 0.002});
+        CHECK(bench.trouble().empty());
+      }
+    }
+  }
+}
+
 TEST_CASE("labels that spread from pole to pole agree with those of the triangles on dense samples") {
   for (const Precision precision : {Precision::fast, Precision::exact}) {
     for (const TestShape& shape : oracle_shapes(0.25, {0.1, 0.05, 3})) {
