@@ -11,7 +11,7 @@ namespace mes {
 
 /// Guarantees: a fit is made in the next frame, when the panels have their final positions. While the view stays as
 /// fitted and the drawing about as large, it is fitted again when panels are opened or closed, or the window is
-/// resized. Threads: none.
+/// resized; a target only if the window is resized. Threads: none.
 class ViewFitter {
  public:
   static constexpr double kMargin = 40.0;  ///< margin around the drawing, in logical pixels
@@ -45,6 +45,7 @@ class ViewFitter {
     Box2 box;
     Room room;
     std::uint64_t fit = 0;  ///< fit number of the view; a larger one shows something else
+    bool is_target = false;
   };
   std::optional<How> wanted_again(const Document& document, const Room& room, bool is_held) const;
 

@@ -421,8 +421,9 @@ Panels::Room Panels::draw() {
     return ratio * gui.unit() * (box.high - box.low + Vec2{kUsualMarginPx, kUsualMarginPx});
   };
   // In a narrow window panels lie over the drawing, which would be a dot beside them.
-  constexpr float kNarrow = 0.4F;
-  if (are_shown_ && width < kNarrow * screen.x) sides.right -= column_.panels_width();
+  constexpr float kNarrow = 160.0F;
+  if (are_shown_ && screen.x - around.left - around.right < kNarrow * gui.unit())
+    sides.right -= column_.panels_width();
   return {{in_pixels(sides.left), in_pixels(sides.top), in_pixels(sides.right), in_pixels(sides.bottom)},
           legend && !uses_.settings.legend_at ? legend_size(*legend) : Vec2{}};
 }

@@ -92,3 +92,22 @@ TEST_CASE("what was shown since, such as a place or the selection, stays when pa
   CHECK_FALSE(fitting.view.is_moving());
   CHECK(fitting.view.camera().units_per_pixel() == scale);
 }
+
+TEST_CASE("a target is shown again when the window is resized, as at the end of a lesson, and not for a panel") {
+  Fitting fitting;
+  const Box2 target{{0.0, 0.0}, {8.0, 6.0}};
+  fitting.fitter.set_target(target);
+  fitting.fitter.want(ViewFitter::How::at_once);
+  fitting.view.set_viewport(1600, 1200);
+  fitting.draw(0.0);
+  fitting.view.set_viewport(800, 600);
+  fitting.draw(0.0);
+  CHECK(fitting.view.camera().units_per_pixel() == Approx(0.01));
+  CHECK(fitting.middle_px() == Approx(200.0));
+  fitting.draw(200.0);
+  CHECK_FALSE(fitting.view.is_moving());
+  fitting.view.pan({50.0, 0.0});
+  fitting.view.set_viewport(1600, 1200);
+  fitting.draw(200.0);
+  CHECK(fitting.view.camera().units_per_pixel() == Approx(0.01));
+}
