@@ -171,7 +171,8 @@ Autosave::Autosave(fs::path folder, std::function<void()> wake, std::chrono::mil
 
 Autosave::~Autosave() = default;
 
-void Autosave::follow(const Editor& editor, const std::function<Session()>& head) {
+void Autosave::follow(const Editor& editor, const std::function<Session()>& head,
+                      const std::function<std::optional<SourceFile>()>& file) {
   if (folder_.empty()) return;
   const Timeline& timeline = editor.timeline();
   Work work;
@@ -198,6 +199,7 @@ void Autosave::follow(const Editor& editor, const std::function<Session()>& head
     told_ = timeline.settled();
   }
   if (work.is_empty()) return;
+  if ((work.begins || work.renews) && file) work.file = file();
   {
     const std::lock_guard lock(mutex_);
     queue_.push_back(std::move(work));
@@ -205,11 +207,13 @@ void Autosave::follow(const Editor& editor, const std::function<Session()>& head
   condition_.notify_all();
 }
 
-void Autosave::note_saved() {
+void Autosave::note_saved(const std::optional<SourceFile>& file) {
   if (!has_journal_) return;
   {
     const std::lock_guard lock(mutex_);
-    queue_.emplace_back().saved = true;
+    Work& work = queue_.emplace_back();
+    work.saved = true;
+    work.file = file;
   }
   condition_.notify_all();
 }
@@ -258,8 +262,9 @@ void Autosave::write(Work& work, Journal& journal) {
     journal.is_wanted = true;
     journal.unwritten = write_journal_head(work.head);
   }
+  if (work.file && !work.saved) journal.unwritten += write_journal_file(*work.file);
   for (const TimelineEntry& entry : work.entries) journal.unwritten += write_journal_line(entry);
-  if (work.saved) journal.unwritten += write_journal_saved();
+  if (work.saved) journal.unwritten += write_journal_saved(work.file);
 }
 
 void Autosave::write_on(const std::stop_token& stop) {
@@ -299,6 +304,7 @@ LeftWork::LeftWork(fs::path file, int lock, Journaled journal)
       lock_(lock),
       session_(std::make_shared<const Session>(std::move(journal.session))),
       edits_(journal.unsaved_edits),
+      kept_in_(std::move(journal.file)),
       is_partial_(!journal.complaint.empty()) {
   struct stat status {};
   if (::stat(file_.c_str(), &status) == 0) when_ = local_time(status.st_mtime, "%Y-%m-%d %H:%M");
@@ -313,6 +319,7 @@ LeftWork::LeftWork(LeftWork&& other) noexcept
       lock_(std::exchange(other.lock_, -1)),
       session_(std::move(other.session_)),
       edits_(other.edits_),
+      kept_in_(std::move(other.kept_in_)),
       is_partial_(other.is_partial_),
       when_(std::move(other.when_)) {}
 
@@ -321,9 +328,15 @@ LeftWork& LeftWork::operator=(LeftWork&& other) noexcept {
   std::swap(lock_, other.lock_);
   std::swap(session_, other.session_);
   std::swap(edits_, other.edits_);
+  std::swap(kept_in_, other.kept_in_);
   std::swap(is_partial_, other.is_partial_);
   std::swap(when_, other.when_);
   return *this;
+}
+
+std::string LeftWork::name() const {
+  if (kept_in_) return kept_in_->path.filename().string();
+  return session_->title.empty() ? "Untitled" : session_->title;
 }
 
 void LeftWork::remove() {

@@ -8,6 +8,7 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <stop_token>
 #include <string>
 #include <thread>
@@ -43,9 +44,11 @@ class Autosave {
   Autosave(const Autosave&) = delete;
   Autosave& operator=(const Autosave&) = delete;
 
-  void follow(const Editor& editor, const std::function<Session()>& head);
-  /// Tells the autosave that a file now holds everything.
-  void note_saved();
+  /// `file` gives the file in which the document is kept, if there is one.
+  void follow(const Editor& editor, const std::function<Session()>& head,
+              const std::function<std::optional<SourceFile>()>& file = {});
+  /// Tells the autosave that this file, or one that is not compared, now holds everything.
+  void note_saved(const std::optional<SourceFile>& file = {});
   void discard();
   /// The reason why work is not protected, given once.
   std::string take_problem();
@@ -61,6 +64,7 @@ class Autosave {
     bool ends = false;    // the journal is not needed any more
     bool saved = false;
     Session head;
+    std::optional<SourceFile> file;
     std::vector<TimelineEntry> entries;
     bool is_empty() const { return !begins && !renews && !ends && !saved && entries.empty(); }
   };
@@ -104,6 +108,10 @@ class LeftWork {
   /// Time of the last write in the local time zone: "2026-11-21 10:15".
   const std::string& when() const { return when_; }
   std::size_t edits() const { return edits_; }
+  /// The file in which the document was kept, and its content then.
+  const std::optional<SourceFile>& file() const { return kept_in_; }
+  /// Name for the user: that of the file, else the title.
+  std::string name() const;
   /// Deletes the journal because the work was taken over or rejected. A partly readable one is kept as a file all the
   /// same.
   void remove();
@@ -113,6 +121,7 @@ class LeftWork {
   int lock_ = -1;
   std::shared_ptr<const Session> session_;
   std::size_t edits_ = 0;
+  std::optional<SourceFile> kept_in_;
   bool is_partial_ = false;
   std::string when_;
 };

@@ -227,8 +227,8 @@ void DocumentFiles::open_text(std::string text, const std::string& title, MapDeg
   begin({.title = title, .text = std::make_shared<const std::string>(std::move(text)), .degrees = degrees});
 }
 
-void DocumentFiles::recover(std::shared_ptr<const Session> work) {
-  begin({.recovered = std::move(work)});
+void DocumentFiles::recover(std::shared_ptr<const Session> work, const std::optional<SourceFile>& file) {
+  begin({.recovered = std::move(work), .kept_in = file});
 }
 
 void DocumentFiles::cancel_reading() {
@@ -297,6 +297,10 @@ DocumentFiles::Outcome DocumentFiles::take_over(ReadFiles& read) {
     out.samples = read.document->document().sample_count();
     out.balls = read.document->document().ball_count();
     Held after = held_by_read_files(read, asked.title);
+    if (out.is_recovered && asked.kept_in) {
+      keep_in(asked.kept_in->path, after);
+      after.known[key_of(asked.kept_in->path)] = asked.kept_in->fingerprint;
+    }
     if (out.session)
       editor_.restore(*read.document);
     else
@@ -373,8 +377,16 @@ void DocumentFiles::save() {
   begin_saving(held_);
 }
 
-void DocumentFiles::save_as(const fs::path& file) {
-  Held after = held_;
+std::optional<SourceFile> DocumentFiles::kept_in() const {
+  const auto known = held_.known.find(key_of(held_.file));
+  const bool are_two = !held_.sample_file.empty() && !held_.ball_file.empty();
+  if (held_.file.empty() || are_two || known == held_.known.end()) return std::nullopt;
+  std::error_code error;
+  const fs::path whole = fs::absolute(held_.file, error);
+  return SourceFile{error ? held_.file : whole, known->second};
+}
+
+void DocumentFiles::keep_in(const fs::path& file, Held& after) {
   after.title = file.filename().string();
   if (is_session_file(file)) {
     after.sample_file.clear();
@@ -385,6 +397,11 @@ void DocumentFiles::save_as(const fs::path& file) {
     (is_ball_file(file) ? after.ball_file : after.sample_file) = file;
   }
   after.file = file;
+}
+
+void DocumentFiles::save_as(const fs::path& file) {
+  Held after = held_;
+  keep_in(file, after);
   begin_saving(std::move(after));
 }
 

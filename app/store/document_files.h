@@ -98,8 +98,9 @@ class DocumentFiles {
   /// Begins to make a document of a text in any format that can be opened, as `open` does of files. It has this title,
   /// unless it is a session with one, and no file holds it.
   void open_text(std::string text, const std::string& title, MapDegrees degrees);
-  /// Begins to make the document of work left behind by a crash, as `open` does of files; no file holds it.
-  void recover(std::shared_ptr<const Session> work);
+  /// Begins to make the document of work left behind by a crash, as `open` does of files. It is unsaved, and is saved
+  /// in `file` if that still has the content given.
+  void recover(std::shared_ptr<const Session> work, const std::optional<SourceFile>& file = {});
   /// Begins to write the session, or samples and balls, to their files. Waits for a writing under way.
   void save();
   /// The same for everything if the name ends in .json, for the balls if it ends in .wpoff, else for the samples.
@@ -131,6 +132,9 @@ class DocumentFiles {
 
   /// The file opened or saved last, if Save can write it; empty when a name must be asked for.
   const std::filesystem::path& file() const { return held_.file; }
+  /// The one file that holds the whole document when saved, and its content when read or saved; nothing if there are
+  /// two files, or none.
+  std::optional<SourceFile> kept_in() const;
   const std::filesystem::path& sample_file() const { return held_.sample_file; }
   const std::filesystem::path& ball_file() const { return held_.ball_file; }
   bool has_session_file() const { return !held_.session_file.empty(); }
@@ -146,6 +150,7 @@ class DocumentFiles {
     std::string remark{};                        // about made samples
     std::shared_ptr<const std::string> text{};   // set instead of files
     std::shared_ptr<const Session> recovered{};  // set instead of files
+    std::optional<SourceFile> kept_in{};         // of recovered work
     MapDegrees degrees = MapDegrees::projected;
     std::string system{};
     std::shared_ptr<const Registry> registry{};
@@ -226,6 +231,8 @@ class DocumentFiles {
   };
   void note_all_as_saved();
   void note_known(std::span<const SourceFile> files);
+  /// Chooses the file for what `after` holds, by its ending.
+  static void keep_in(const std::filesystem::path& file, Held& after);
   /// The state before any file is named, in which the document counts as saved.
   static Held held_by_files_of(const Document& document);
   static Held held_by_read_files(const ReadFiles& read, const std::string& title);

@@ -551,6 +551,18 @@ TEST_CASE("a journal is read up to where it was torn") {
   CHECK(all->session.layers.image.file.empty());
   CHECK(read_journal(text + write_journal_saved(), "x.journal")->unsaved_edits == 0);
   CHECK(read_journal(text + write_journal_saved() + write_journal_line(Undone{}), "x.journal")->unsaved_edits == 1);
+  CHECK_FALSE(all->file);
+  // A hash of 64 bits is no double.
+  const SourceFile kept{"/tmp/a \"b\" \xC3\xBC.json", {.size = 12, .hash = 0xffff'ffff'ffff'fff1}};
+  const auto saved =
+      read_journal(text + write_journal_file({"/x.json", {}}) + write_journal_saved(kept), "x.journal");
+  REQUIRE(saved->file);
+  CHECK(saved->file->path == kept.path);
+  CHECK(saved->file->fingerprint == kept.fingerprint);
+  CHECK(saved->unsaved_edits == 0);
+  CHECK(saved->session.entries.size() == session.entries.size());
+  // Such a name cannot be in a text of JSON.
+  CHECK(write_journal_file({"/tmp/\xFF.json", {}}).empty());
   // The head says how things stood when the journal began.
   const auto moved = read_journal(text + write_journal_line(ViewChanged{{{7, 7}, {8, 9}}}), "x.journal");
   CHECK(moved->session.view == Box2{{7, 7}, {8, 9}});

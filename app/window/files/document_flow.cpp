@@ -39,7 +39,7 @@ DocumentFlow::DocumentFlow(Uses uses, const fs::path& assets, const Waker& wake)
           },
           wake),
       keeper_(
-          uses_.work, uses_.messages, [this] { return session_now(); }, wake),
+          uses_.work, uses_.messages, [this] { return session_now(); }, [this] { return files_.kept_in(); }, wake),
       figures_(
           {uses_.work, uses_.board, uses_.screen, uses_.dialogs, uses_.messages, uses_.settings,
            [this] { return files_.title(); }, [this] { return browse_folder(); }, [this] { return session_now(); }},

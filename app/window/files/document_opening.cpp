@@ -280,11 +280,12 @@ void DocumentFlow::recover(LeftWork work) {
   traced_with_next_.clear();
   recovering_.emplace(std::move(work));
   uses_.dialogs.recover.set_waits(true);
-  files_.recover(recovering_->shared_session());
+  files_.recover(recovering_->shared_session(), recovering_->file());
 }
 
 void DocumentFlow::take_recovered(const DocumentFiles::Outcome& outcome, LeftWork work) {
-  uses_.messages.remark("Recovered " + files_.title() + "; not saved in a file yet");
+  uses_.messages.remark("Recovered " + files_.title() +
+                        (work.file() ? "; its last changes are not saved yet" : "; not saved in a file yet"));
   leave_document();
   uses_.board.note_new_document();
   show_as_in(*outcome.session);

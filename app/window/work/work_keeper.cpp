@@ -7,10 +7,12 @@
 
 namespace mes {
 
-WorkKeeper::WorkKeeper(Workspace& work, Messages& messages, std::function<Session()> session_now, Waker wake)
+WorkKeeper::WorkKeeper(Workspace& work, Messages& messages, std::function<Session()> session_now,
+                       std::function<std::optional<SourceFile>()> kept_in, Waker wake)
     : work_(work),
       messages_(messages),
       session_now_(std::move(session_now)),
+      kept_in_(std::move(kept_in)),
       autosave_(default_autosave_folder(), wake),
       left_work_(wake) {
   left_work_.begin([folder = default_autosave_folder()](const std::stop_token& stop) {
@@ -23,7 +25,7 @@ void WorkKeeper::follow(const Rest& rest, const Box2& view) {
   Editor& editor = work_.editor();
   if (rest.controls) editor.note_layers();
   if (rest.all) notes_.follow(editor, surroundings(view));
-  autosave_.follow(editor, session_now_);
+  autosave_.follow(editor, session_now_, kept_in_);
   if (const std::string problem = autosave_.take_problem(); !problem.empty()) messages_.problem(problem);
 }
 

@@ -17,8 +17,9 @@ namespace mes {
 /// from others.
 class WorkKeeper {
  public:
-  /// `session_now` returns the document to keep. Begins to search for work left behind.
-  WorkKeeper(Workspace& work, Messages& messages, std::function<Session()> session_now, Waker wake);
+  /// `session_now` returns the document to keep, and `kept_in` the file that holds it when saved. Begins to search for work left behind.
+  WorkKeeper(Workspace& work, Messages& messages, std::function<Session()> session_now,
+             std::function<std::optional<SourceFile>()> kept_in, Waker wake);
 
   struct Rest {
     bool controls = false;  ///< no control of a panel is held
@@ -30,7 +31,7 @@ class WorkKeeper {
   /// Notes that the document was restored together with this view.
   void take_as_noted(const Box2& view);
   /// Notes that a file now holds everything.
-  void note_saved() { autosave_.note_saved(); }
+  void note_saved() { autosave_.note_saved(kept_in_()); }
   /// Notes that the unsaved work was given up.
   void discard() { autosave_.discard(); }
   /// Waits until the journal has been written.
@@ -47,6 +48,7 @@ class WorkKeeper {
   Workspace& work_;
   Messages& messages_;
   std::function<Session()> session_now_;
+  std::function<std::optional<SourceFile>()> kept_in_;
   SurroundingsNotes notes_;
   Autosave autosave_;
   BackgroundJob<FoundWork> left_work_;

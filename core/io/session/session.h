@@ -23,6 +23,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -33,6 +34,7 @@
 #include "core/document/settings/pane_choice.h"
 #include "core/document/timeline/lesson.h"
 #include "core/document/timeline/timeline.h"
+#include "core/io/files/file_fingerprint.h"
 
 namespace mes {
 
@@ -82,15 +84,18 @@ Expected<void> replay_session(const Session& session, DocumentReplay& replay, co
 /// One line of a journal, with its line end.
 std::string write_journal_head(const Session& session);
 std::string write_journal_line(const TimelineEntry& entry);
-/// The journal line that marks everything before it as saved.
-std::string write_journal_saved();
+/// The journal line that marks everything before it as saved, in this file if one is given.
+std::string write_journal_saved(const std::optional<SourceFile>& file = {});
+/// The journal line that names the file in which the document is kept, and its content when read or saved.
+std::string write_journal_file(const SourceFile& file);
 struct Journaled {
   Session session;  ///< with the last layers, settings and view
   /// Entries since the last save that changed the document, or changed layers by hand; an unsaved lesson alone counts
   /// as one.
   std::size_t unsaved_edits = 0;
-  bool is_torn = false;   ///< the text ends within a line, as after a crash
-  std::string complaint;  ///< about the line at which reading stopped early; empty: all was read
+  std::optional<SourceFile> file{};  ///< the last one that a line names
+  bool is_torn = false;              ///< the text ends within a line, as after a crash
+  std::string complaint;             ///< about the line at which reading stopped early; empty: all was read
 };
 /// Reads as many valid lines as possible. Error: the first line is invalid. Throws `Cancelled` when `job` is stopped.
 Expected<Journaled> read_journal(std::string_view text, const std::string& file, JobControl* job = nullptr);

@@ -2,6 +2,7 @@
 // Reads sessions from text.
 #include <fmt/core.h>
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <map>
 #include <utility>
@@ -397,6 +398,17 @@ Expected<Session> parsed_session(std::string_view text, Timelines where, const s
   }
 }
 
+SourceFile source_file_from(JsonView kept) {
+  const auto [file, hash, size] = kept.pick<3>({"file", "hash", "size"});
+  SourceFile out{text_from(file, "file", "kept_in"), {}};
+  const std::string digits = text_from(hash, "hash", "kept_in");
+  const auto end = std::from_chars(digits.data(), digits.data() + digits.size(), out.fingerprint.hash).ptr;
+  const auto bytes = size.count();
+  if (end != digits.data() + digits.size() || !bytes) throw Nonsense{"kept_in: expected a size and a hash"};
+  out.fingerprint.size = *bytes;
+  return out;
+}
+
 }  // namespace
 
 Expected<Session> read_session(std::string_view text, const std::string& file, JobControl* job, double done) {
@@ -461,6 +473,7 @@ Expected<Journaled> read_journal(std::string_view text, const std::string& file,
         out.unsaved_edits = 0;
         has_unsaved_lesson = false;
       }
+      if (const JsonView kept = object.find("kept_in")) out.file = source_file_from(kept);
       const auto entry = entry_from(object);
       if (!entry) continue;
       out.unsaved_edits += is_work(*entry) ? 1U : 0U;

@@ -267,8 +267,20 @@ std::string write_journal_line(const TimelineEntry& entry) {
   return json_text(to_json(entry)) + '\n';
 }
 
-std::string write_journal_saved() {
-  return "{\"saved\":true}\n";
+std::string write_journal_saved(const std::optional<SourceFile>& file) {
+  return "{\"saved\":true}\n" + (file ? write_journal_file(*file) : std::string());
+}
+
+// The hash is text: numbers of JSON are doubles in many readers. A name that is not UTF-8 cannot be written as JSON.
+std::string write_journal_file(const SourceFile& file) {
+  constexpr std::string_view kReplaced = "\xEF\xBF\xBD";
+  json line;
+  json& kept = line["kept_in"];
+  kept["file"] = file.path.string();
+  kept["hash"] = std::to_string(file.fingerprint.hash);
+  kept["size"] = file.fingerprint.size;
+  const std::string text = json_text(line) + '\n';
+  return text.contains(kReplaced) ? std::string() : text;
 }
 
 }  // namespace mes

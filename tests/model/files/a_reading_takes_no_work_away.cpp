@@ -286,6 +286,37 @@ TEST_CASE("recovered work has no file and counts as unsaved") {
   CHECK_FALSE(bench.editor.is_modified());
 }
 
+TEST_CASE("recovered work is saved in the file in which it was kept, unless that has changed meanwhile") {
+  for (const bool has_changed : {false, true}) {
+    const test::TemporaryFolder folder;
+    std::optional<SourceFile> kept;
+    {
+      Bench bench;
+      bench.add_sample();
+      CHECK_FALSE(bench.files.kept_in());
+      REQUIRE(bench.save_as(folder.path() / "a.json"));
+      kept = bench.files.kept_in();
+      REQUIRE(kept);
+      CHECK(kept->path == folder.path() / "a.json");
+    }
+    if (has_changed) folder.write("a.json", "{}");
+    Bench bench;
+    const auto work = std::make_shared<const Session>(
+        Session{.title = "old", .data = std::make_shared<SampleData>(SampleData{{{1, 2}}, {}, {}})});
+    bench.files.recover(work, kept);
+    REQUIRE_FALSE(bench.outcome().error);
+    CHECK(bench.files.title() == "a.json");
+    CHECK(bench.files.has_session_file());
+    CHECK(bench.editor.is_modified());
+    bench.files.save();
+    const auto saved = bench.files.finish_saving();
+    REQUIRE(saved);
+    CHECK_FALSE(saved->error);
+    CHECK(saved->conflict.has_value() == has_changed);
+    CHECK(bench.editor.is_modified() == has_changed);
+  }
+}
+
 TEST_CASE("a document is left although a file is still being waited for") {
   const test::TemporaryFolder folder;
   const auto pipe = folder / "pipe.poff";

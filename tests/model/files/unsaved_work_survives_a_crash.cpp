@@ -85,6 +85,31 @@ TEST_CASE("what was edited is found after the program is gone, and what was save
   CHECK(find_left_work(folder.path()).works.empty());
   CHECK(folder.file_count() == 0);
 
+  // The file in which the document is kept is known afterwards: the one it came from, then the one it was saved in.
+  const auto from = [] { return std::optional(SourceFile{"/work/from.json", {1, 2}}); };
+  for (const bool is_saved : {false, true}) {
+    work_left([&](Autosave& autosave, auto) {
+      const auto follow_file = [&] {
+        autosave.follow(
+            editor, [&] { return head_of(editor); }, from);
+      };
+      REQUIRE(editor.insert(std::array{Vec2{is_saved ? 9.0 : 10.0, 8}}, "Insert"));
+      follow_file();
+      if (!is_saved) return;
+      editor.mark_saved();
+      autosave.note_saved(SourceFile{"/work/to.json", {3, 4}});
+      REQUIRE(editor.insert(std::array{Vec2{11, 8}}, "Insert"));
+      follow_file();
+    });
+    FoundWork found = find_left_work(folder.path());
+    REQUIRE(found.works.size() == 1);
+    CHECK(found.works[0].name() == (is_saved ? "to.json" : "from.json"));
+    REQUIRE(found.works[0].file());
+    CHECK(found.works[0].file()->fingerprint == (is_saved ? FileFingerprint{3, 4} : FileFingerprint{1, 2}));
+    if (is_saved) CHECK(found.works[0].edits() == 1);
+    found.works[0].remove();
+  }
+
   work_left([&](Autosave& autosave, auto follow) {
     REQUIRE(editor.insert(std::array{Vec2{8, 7}}, "Insert"));
     follow();

@@ -26,7 +26,7 @@ void AskRecover::draw(const Gui& gui) {
       gui, "##ask-recover", kAnswers, 0, "Work was left unsaved when Mesecina ended", [this, &gui](float width) {
         if (!is_open()) return;
         const LeftWork& work = works_.front();
-        const std::string title = work.session().title.empty() ? "Untitled" : work.session().title;
+        const std::string title = work.name();
         ImGui::Dummy({1, 2 * gui.unit()});
         paragraph(fmt::format("{}, {} {} at {}", title, work.edits(),
                               work.edits() == 1 ? "change," : "changes, the last", work.when()),
