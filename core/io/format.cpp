@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/base/lower_case.h"
+#include "core/base/zlib.h"
 #include "core/io/bundle_file.h"
 #include "core/io/carried_session.h"
 #include "core/io/files/read_file.h"
@@ -171,10 +172,28 @@ Expected<LoadedFile> read_as(const Format& format, std::string_view bytes, const
   return file && !request.system.empty() ? in_system(*std::move(file), request, name) : std::move(file);
 }
 
+// The drawing in a file of gzip, as most programs that write .svgz make it; nothing if it is something else. It may be
+// so many times as large as the file.
+Expected<std::optional<std::string>> compressed_drawing(const Formats& formats, std::string_view bytes,
+                                                        const std::string& name) {
+  constexpr std::size_t kMostTimes = 64;
+  constexpr std::size_t kAlways = std::size_t{1} << 20U;
+  if (!looks_like_gzip(bytes)) return std::nullopt;
+  auto text = gzip_expanded(bytes, kAlways + kMostTimes * bytes.size());
+  if (!text) return std::unexpected(Error{text.error().code, text.error().text, name});
+  const auto svg = formats.find("svg");
+  if (svg == nullptr || svg->match(*text) != Match::surely)
+    return bad_input("this is gzip compressed data other than a drawing in SVG; gunzip expands it", name, 1, 1);
+  return *std::move(text);
+}
+
 Expected<LoadedFile> read_bytes(std::string_view bytes, const std::string& name, std::string_view wanted,
                                 const ReadRequest& request, const fs::path* path, JobControl* control) {
   try {
     const Formats& formats = formats_of(request);
+    const auto drawing = compressed_drawing(formats, bytes, name);
+    if (!drawing) return std::unexpected(drawing.error());
+    if (*drawing) bytes = **drawing;
     ReadJob job(control, path != nullptr ? kFileShare : 0.0, request.keeps_vertices, request.wants_curves);
     if (wanted.empty() && may_carry_session(bytes)) {
       const auto text = carried_session(bytes, name);
@@ -218,7 +237,8 @@ ReadOptions what_may_be_read(const Formats& formats, JobControl* job) {
   return {.is_enough =
               [&formats](std::string_view bytes) {
                 if (foreign_kind(bytes).empty()) return false;
-                const bool may_be_read = may_carry_session(bytes) || is_known_all_the_same(formats, bytes);
+                const bool may_be_read =
+                    may_carry_session(bytes) || is_known_all_the_same(formats, bytes) || looks_like_gzip(bytes);
                 return !may_be_read || bytes.size() > kLargest;
               },
           .job = job,

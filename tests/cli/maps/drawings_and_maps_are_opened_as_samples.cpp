@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <catch2/catch.hpp>
+#include <cstdint>
 #include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
 
+#include "core/base/zlib.h"
 #include "tests/cli/run_binary.h"
 #include "tests/io/temporary_folder.h"
 
@@ -16,7 +20,35 @@ nlohmann::json axis_computed(const std::string& file) {
   return nlohmann::json::parse(result.out);
 }
 
+/// A file of gzip that holds the text as it is.
+std::string gzipped(const std::string& text) {
+  const auto bytes_of = [](std::uint32_t number, int count) {
+    std::string out;
+    for (int i = 0; i < count; ++i) out += static_cast<char>(number >> (8 * i) & 0xFFU);
+    return out;
+  };
+  const auto size = static_cast<std::uint32_t>(text.size());
+  return std::string("\x1F\x8B\x08\0\0\0\0\0\0\xFF\x01", 11) + bytes_of(size, 2) + bytes_of(~size, 2) + text +
+         bytes_of(mes::crc32_of(text), 4) + bytes_of(size, 4);
+}
+
 }  // namespace
+
+TEST_CASE("a compressed drawing is the drawing, and nothing else is expanded") {
+  const std::string svg = R"(<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0H10V4H0z"/></svg>)";
+  const TemporaryFolder folder;
+  const RunResult whole = run({"sample", "-"}, {.input = svg});
+  CHECK(whole.exit_code == 0);
+  CHECK(run({"sample", "-"}, {.input = gzipped(svg)}).out == whole.out);
+  CHECK(run({"sample", folder.write("a.svgz", gzipped(svg)).string()}).out == whole.out);
+  for (const auto& [bytes, says] :
+       {std::pair{gzipped("POFF 1 0 0\n0 0\n"), "this is gzip compressed data other than a drawing in SVG"},
+        {gzipped(svg).substr(0, 60), "compressed data are cut or broken"}}) {
+    const RunResult other = run({"sample", "-"}, {.input = bytes});
+    CHECK(other.exit_code == 3);
+    CHECK_THAT(other.err, Catch::Contains(says));
+  }
+}
 
 TEST_CASE("the crust of a drawing is the drawing, where it is narrow too") {
   const TemporaryFolder folder;
