@@ -92,6 +92,16 @@ TEST_CASE("samplings that make no sense end the command in one line") {
     CHECK_THAT(result.err, Catch::Contains(test.says));
     CHECK(std::count(result.err.begin(), result.err.end(), '\n') == 1);
   }
+  // Options that name no rule ask for one, and two of them exclude each other.
+  const std::string wkt = "POLYGON ((0 0, 10 0, 10 4, 0 4, 0 0))";
+  CHECK(run({"sample", "-", "--vertices"}, {.input = wkt}).out.starts_with("POFF 4 0 0\n"));
+  for (const std::vector<std::string>& other : {std::vector<std::string>{"--vertices", "--samples", "50"},
+                                                {"--vertices", "--rule", "spacing", "--spacing", "1"},
+                                                {"--samples", "50", "--spacing", "1"}}) {
+    std::vector<std::string> arguments{"sample", "-"};
+    arguments.insert(arguments.end(), other.begin(), other.end());
+    CHECK(run(arguments, {.input = wkt}).exit_code == 2);
+  }
   CHECK(run({"sample", "-"}, {.input = "POFF 0 0 0\n"}).exit_code == 3);
   CHECK(run({"sample", "-"}, {.input = "POFF 1 0 0\n3 4\n"}).exit_code == 0);
 }

@@ -32,6 +32,7 @@ Expected<void> read_number(std::string_view option, const std::string& text, dou
 
 Expected<SamplingRule> rule_of(const SampleRequest& request) {
   if (request.rule.empty()) {
+    if (request.reading.keeps_vertices) return SamplingRule::vertices;
     if (!request.spacing.empty()) return SamplingRule::spacing;
     if (!request.epsilon.empty()) return SamplingRule::feature_size;
     if (!request.turn.empty()) return SamplingRule::curvature;
@@ -61,6 +62,12 @@ Expected<SamplingRequest> sampling_of(const SampleRequest& request) {
       return usage_error(fmt::format("{} is for the rule {}, and samples are taken by the rule {}", owned.option,
                                      sampling_rules()[static_cast<std::size_t>(owned.rule)].id,
                                      sampling_rules()[static_cast<std::size_t>(*rule)].id));
+  if (request.reading.keeps_vertices && *rule != SamplingRule::vertices)
+    return usage_error(fmt::format("--vertices takes the vertices alone, and samples are taken by the rule {}",
+                                   sampling_rules()[static_cast<std::size_t>(*rule)].id));
+  if (!request.samples.empty() && (*rule == SamplingRule::spacing || *rule == SamplingRule::vertices))
+    return usage_error(fmt::format("--samples says how many, and samples are taken by the rule {}",
+                                   sampling_rules()[static_cast<std::size_t>(*rule)].id));
   SamplingRequest out{.rule = *rule, .count = kUsualSamples};
   if (*rule == SamplingRule::adaptive) out.least_each = 8;
   if (!request.samples.empty()) {
@@ -111,7 +118,7 @@ Expected<void> run_sample(const Registry& registry, const SampleRequest& request
   if (!delta) return std::unexpected(delta.error());
   document.apply(*delta);
   if (const std::string remark = remark_of(*taken, *sampling); !remark.empty()) say(request.file + ": " + remark);
-  return write_output(request.output, write_poff(document), interruption, {input->sources, request.force});
+  return write_output(request.output, write_poff(document), interruption, {input->sources, request.force, true});
 }
 
 }  // namespace mes::cli
