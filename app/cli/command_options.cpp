@@ -74,7 +74,7 @@ void add_source(const Registry& registry, CLI::App& command, Source& source) {
 }
 
 void add_force(CLI::App& command, bool& force) {
-  command.add_flag("--force", force, "Overwrite the output even if it was read and has changed since");
+  command.add_flag("--force", force, "Overwrite the output even if it was read");
 }
 
 }  // namespace mes::cli

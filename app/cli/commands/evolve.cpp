@@ -78,7 +78,7 @@ Expected<void> run_evolve(const Registry& registry, const EvolveRequest& request
       replace_all(document, {.positions = state->positions, .contours = contours_of(*state), .map = input->data.map});
   if (!written) return std::unexpected(written.error());
   document.apply(*written);
-  return write_output(request.output, write_poff(document), interruption, {input->sources, request.force});
+  return write_output(request.output, write_poff(document), interruption, {input->sources, request.force, true});
 }
 
 }  // namespace mes::cli

@@ -69,7 +69,9 @@ Expected<void> run_export(const Registry& registry, const ExportRequest& request
   const auto out = compute_text(registry, input->file.data, **format, *layers, input->settings);
   if (!out) return std::unexpected(out.error());
   if (const std::string remark = remark_about(*out, **format); !remark.empty()) say(remark);
-  return write_output(request.output, out->text, interruption, {input->file.sources, request.force});
+  const bool is_of_its_kind =
+      request.format == input->file.format && (request.format == "poff" || request.format == "wpoff");
+  return write_output(request.output, out->text, interruption, {input->file.sources, request.force, is_of_its_kind});
 }
 
 Expected<void> run_cell_export(const Registry& registry, const ExportRequest& request, Interruption& interruption) {

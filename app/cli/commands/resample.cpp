@@ -34,7 +34,7 @@ Expected<void> write(const ResampleRequest& request, const SampleData& data, con
   document.apply(*delta);
   if (!input.data.balls.empty())
     say(fmt::format("balls are left out: POFF holds samples; there were {}", input.data.balls.size()));
-  return write_output(request.output, write_poff(document), interruption, {input.sources, request.force});
+  return write_output(request.output, write_poff(document), interruption, {input.sources, request.force, true});
 }
 
 }  // namespace

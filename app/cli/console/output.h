@@ -22,6 +22,7 @@ Expected<void> check_output(const std::string& file);
 struct Overwriting {
   std::vector<SourceFile> sources{};  ///< files the result was made from; a changed one is not overwritten
   bool force = false;                 ///< overwrites it nevertheless
+  bool is_of_its_kind = false;        ///< the result is samples as the file is, so it may replace them
 };
 
 Expected<void> write_output(const std::string& file, std::string_view bytes, Interruption& interruption,
