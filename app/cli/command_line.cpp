@@ -249,6 +249,7 @@ std::optional<Error> mistaken_command(const CLI::App& app, const std::vector<std
   const std::vector<std::string_view> names(commands.begin(), commands.end());
   constexpr std::size_t kMostMistakes = 2;
   const std::string_view nearest = nearest_names(word, names).front();
+  if (nearest == word) return std::nullopt;
   if (edit_distance(word, nearest) > kMostMistakes)
     return Error{ErrorCode::usage, in_quotes(word) + " is neither a command nor a file; see mesecina --help"};
   return Error{ErrorCode::usage,
@@ -267,6 +268,8 @@ int run(const Registry& registry, int argc, const char* const* argv, const OpenW
   if (argc >= 2 && std::string_view(argv[1]) == "help") {
     words.erase(words.begin() + 1);
     words.resize(std::min<std::size_t>(words.size(), 2));
+    if (words.size() == 2)
+      if (const auto mistake = mistaken_command(app, {words[1]})) return report(*mistake);
     words.push_back("--help");
   }
   try {

@@ -35,7 +35,9 @@ Expected<LayerText> compute_layer_text(const Registry& registry, const SampleDat
 std::string remark_about(const LayerText& text, const LayerTextFormat& format) {
   std::string out;
   if (text.left_out != 0)
-    out = fmt::format("{} rays and lines are left out: {} holds finite shapes only", text.left_out, format.name);
+    out = fmt::format("{} left out: {} holds finite shapes only",
+                      text.left_out == 1 ? "1 ray or line is" : fmt::format("{} rays and lines are", text.left_out),
+                      format.name);
   if (text.without_area != 0)
     out +=
         fmt::format("{}{} left out, because {} or {} free ends", out.empty() ? "" : "; ",

@@ -168,6 +168,7 @@ class TextReader {
     const hb_feature_t no_kerning{HB_TAG('k', 'e', 'r', 'n'), 0, HB_FEATURE_GLOBAL_START, HB_FEATURE_GLOBAL_END};
     hb_shape(font_.get(), buffer.get(), &no_kerning, request_.has_kerning ? 0 : 1);
     unsigned count = 0;
+    std::size_t first_missing_at = line.size();  // glyphs may be from right to left
     const hb_glyph_info_t* const infos = hb_buffer_get_glyph_infos(buffer.get(), &count);
     const hb_glyph_position_t* const positions = hb_buffer_get_glyph_positions(buffer.get(), &count);
     for (unsigned i = 0; i < count; ++i) {
@@ -175,7 +176,7 @@ class TextReader {
       const hb_glyph_position_t& place = positions[i];
       if (infos[i].codepoint == 0) {
         missing_.insert(character_at(line, infos[i].cluster));
-        if (first_missing_.empty()) first_missing_ = character_at(line, infos[i].cluster);
+        first_missing_at = std::min<std::size_t>(first_missing_at, infos[i].cluster);
       } else {
         pen_.origin = origin + Vec2{static_cast<double>(place.x_offset), static_cast<double>(place.y_offset)};
         hb_font_get_glyph_shape(font_.get(), infos[i].codepoint, &funcs, &pen_);
@@ -183,6 +184,8 @@ class TextReader {
       }
       origin = origin + Vec2{static_cast<double>(place.x_advance), static_cast<double>(place.y_advance)};
     }
+    if (first_missing_.empty() && first_missing_at < line.size())
+      first_missing_ = character_at(line, first_missing_at);
   }
 
   std::string missing_in_words() const {

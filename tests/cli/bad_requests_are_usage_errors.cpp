@@ -123,6 +123,7 @@ TEST_CASE("a mistyped command names the one that is meant") {
   require_usage_error({"transects", kDude}, {"\"transects\" is neither a command nor a file"});
   CHECK(run({"help"}).out == run({"--help"}).out);
   CHECK(run({"help", "centerline"}).out == run({"centerline", "--help"}).out);
+  CHECK(run({"help", "comput"}).err == "mesecina: unknown command \"comput\"; did you mean compute?\n");
 }
 
 TEST_CASE("help and version are results") {

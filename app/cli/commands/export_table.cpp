@@ -34,7 +34,8 @@ std::string in_words(const std::vector<TableColumns>& tables) {
 
 /// Checks that the table exists before the file is read. The only table of a structure need not be named.
 Expected<std::string> select_table(const Registry& registry, const ExportRequest& request) {
-  if (!request.layer.empty()) return usage_error("export takes --layer or --structure, not both");
+  if (!request.layer.empty() && !request.structure.empty())
+    return usage_error("export takes --layer or --structure, not both");
   if (request.structure.empty()) return usage_error("--table needs --structure (mesecina list structures)");
   const auto ids = registry.structures();
   if (std::ranges::find(ids, request.structure) == ids.end())

@@ -26,6 +26,8 @@ Expected<void> run_persistence(const Registry& registry, const PersistenceReques
   if (auto good = check_output(request.output); !good) return good;
   const auto input = read_source(registry, request.source);
   if (!input) return std::unexpected(input.error());
+  if (*of == GrowthOf::samples && input->file.data.positions.empty() && !input->file.data.balls.empty())
+    say(request.source.file + ": there are balls and no samples; --of own is for balls");
   JobControl job;
   const auto table = persistence_table_of(registry, {input->file.data, *of, input->settings}, job);
   if (!table) return std::unexpected(table.error());

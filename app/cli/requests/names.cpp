@@ -99,6 +99,7 @@ Expected<std::vector<LayerIndex>> select_layers(const Registry& registry, const 
     return layers;
   }
   for (const std::string_view word : split_list(ids)) {
+    if (word == "all") return usage_error("the word \"all\" stands alone, not among other layers");
     const auto layer = select_layer(registry, std::string(word));
     if (!layer) return std::unexpected(layer.error());
     if (std::ranges::find(layers, *layer) == layers.end()) layers.push_back(*layer);
