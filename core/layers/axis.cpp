@@ -78,7 +78,7 @@ Layer make_outline_axis_layer(const StructureSet& set) {
                   "of parabolas",
        .group = LayerGroup::crust_axis,
        .scalar = "radius",
-       .style = {.color = palette::blue, .line_width_px = 1.5},
+       .style = {.color = palette::green, .line_width_px = 1.5},
        .kinds = {PrimitiveKind::segment, PrimitiveKind::parabola}},
       {&axis},
       table_part(
@@ -130,7 +130,7 @@ Layer make_transects_layer(const StructureSet& set) {
        .tooltip = "Lines across the shapes in equal steps along the centre lines, with the width there",
        .group = LayerGroup::crust_axis,
        .scalar = "width",
-       .style = {.color = palette::blue, .line_width_px = 1.5},
+       .style = {.color = palette::purple, .line_width_px = 1.5},
        .kinds = {PrimitiveKind::segment}},
       {&lines},
       table_part(
