@@ -88,8 +88,10 @@ void add_layers(const Panels::Uses& uses, Entries& out) {
                    .place = fmt::format("Layers > {}", layer_topics()[topic_place_of(descriptor).topic].title),
                    .handicap = family && !is_in_use(*family) ? kLessThanFamily : 0.0,
                    .is_checked = layers.is_visible(layer),
-                   .run = [&layers, layer, show = uses.show_layer] {
+                   .run = [&layers, &messages = uses.messages, layer, show = uses.show_layer] {
                      layers.set_visible(layer, !layers.is_visible(layer));
+                     if (!layers.is_visible(layer))
+                       messages.remark(std::string(layers.descriptor(layer).name) + " is hidden now");
                      show(layer);
                    }});
   }

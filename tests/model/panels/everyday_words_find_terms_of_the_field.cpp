@@ -78,7 +78,12 @@ TEST_CASE("what people call a thing finds it among the first") {
   finds("print", "export-figure");
   finds("Vectorize", "trace-into-samples");
   finds("ruler", "tool-measure");
-  finds("centerline", "medial-axis");
+  finds("centerline", "center-lines");
+  // In either spelling, and not a layer that they would rather see than switch off.
+  for (const std::string_view line : {"center line", "centre lines"}) {
+    INFO(line);
+    CHECK(ids_found(line, 1) == std::vector<std::string>{"center-lines"});
+  }
   finds("dark", "toggle-theme");
   finds("movie", "record");
   finds("lfs", "feature-size");
