@@ -25,7 +25,7 @@ set(rooms
   "core/io/text: core/base core/document"
   "core/io/files: core/base"
   "core/io/xml: core/base core/io/text"
-  "core/io/session: core/base core/curves core/document core/io/text"
+  "core/io/session: core/base core/curves core/document core/io/text core/io/files"
   "core/io/systems: core/base core/document core/io/text"
   "core/io: core/base core/curves core/raster core/document core/io/text core/io/files core/io/systems core/io/xml core/io/session"
   "core/io/drawings: core/base core/curves core/io/text core/io/xml core/io"
