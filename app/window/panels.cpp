@@ -67,7 +67,10 @@ Panels::Panels(const Uses& uses)
                         uses.work.insight().persistence, uses.work.insight().sweep, uses.messages),
       log_panel_{uses.screen.gui, uses.messages},
       lesson_panel_(uses.screen.gui, uses.actions, uses.lesson.lesson_editor(), uses.lesson.presenter(),
-                    [&lesson = uses.lesson](std::size_t step) { lesson.go_to(step); }),
+                    [&uses = uses_](std::size_t step) {
+                      if (!uses.lesson.is_running()) uses.actions.run(ActionId::present_lesson);
+                      uses.lesson.go_to(step);
+                    }),
       selection_panel_(uses.screen.gui, uses.actions, uses.work.selection_commands(), uses.board.canvas(),
                        uses.messages),
       curves_panel_(uses.screen.gui, uses.actions, uses.work.curve_sampler()),

@@ -94,6 +94,28 @@ TEST_CASE("a lesson is presented by the Page keys, and gives the document back w
   CHECK(window.program.is_running());
 }
 
+TEST_CASE("a double click on a step presents the lesson from there") {
+  PresentingWindow window;
+  static_cast<void>(window.drawn());
+  window.press("shift+F5");
+  REQUIRE(eventually([&] { return window.screen.shoot().is_white(1270, 400); }));
+  const Screenshot title = window.screen.settled();
+  window.press("Next");
+  const Screenshot first = window.other_beside_caption(title);
+  window.press("Next");
+  const Screenshot second = window.other_beside_caption(first);
+  window.press("Escape");
+  REQUIRE(eventually([&] { return !window.screen.settled().is_white(1270, 700); }));
+  const Screenshot before = window.screen.settled();
+  window.screen.click({1258, 436});
+  REQUIRE(eventually([&] { return window.screen.settled().changes({960, 300, 1230, 770}, before) > 300; }));
+  window.screen.xdotool("mousemove 1000 518 click --repeat 2 --delay 60 1");
+  REQUIRE(eventually([&] { return window.screen.shoot().is_white(1270, 400); }));
+  CHECK(window.shows_beside_caption(second));
+  window.press("Escape");
+  CHECK(eventually([&] { return !window.screen.settled().is_white(1270, 700); }));
+}
+
 TEST_CASE("a lesson begins with its title, and captions are large and below the drawing") {
   PresentingWindow window;
   static_cast<void>(window.drawn());

@@ -55,7 +55,10 @@ void LessonPanel::draw() {
   const float buttons = ImGui::GetFrameHeightWithSpacing() + 3 * between;
   const float caption = std::max(kLeastOfCaption * unit, kCaptionShare * room);
   const float steps = std::max(kLeastOfSteps * unit, chosen ? room - buttons - caption - between : room);
-  if (const auto clicked = draw_steps(shown_, chosen, steps)) lesson_editor_.choose(*clicked);
+  if (const auto clicked = draw_steps(shown_, chosen, steps)) {
+    lesson_editor_.choose(*clicked);
+    if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) return go_to_(*clicked);
+  }
   if (chosen) draw_chosen(caption);
 }
 
@@ -95,7 +98,9 @@ std::optional<std::size_t> LessonPanel::draw_steps(const Lesson& lesson, std::op
       const float width = ImGui::GetContentRegionAvail().x;
       const float right = ImGui::CalcTextSize(seconds.c_str()).x;
       const float left = ImGui::GetCursorPosX();
-      if (ImGui::Selectable("##step", current == i)) clicked = i;
+      if (ImGui::Selectable("##step", current == i, ImGuiSelectableFlags_AllowDoubleClick)) clicked = i;
+      if (!presenter_.is_running())
+        tooltip(gui_, "Double click: present the lesson from this step on; Esc comes back");
       if (has_changed && current == i) ImGui::SetScrollHereY();
       ImGui::SameLine(left);
       ImGui::TextUnformatted(elided(name, width - right - 18 * gui_.unit()).c_str());

@@ -17,7 +17,7 @@ namespace mes {
 /// The current step stays in view: the chosen one, or the one that is presented. Threads: the window's.
 class LessonPanel {
  public:
-  /// `go_to` shows a step of the lesson that is presented.
+  /// `go_to` shows a step of the lesson, which is presented from then on.
   LessonPanel(const Gui& gui, const ActionBindings& actions, LessonEditor& lesson_editor,
               const LessonPresenter& presenter, std::function<void(std::size_t)> go_to)
       : gui_(gui),

@@ -72,6 +72,7 @@ void LessonRun::end() {
 void LessonRun::go_to(std::size_t step) {
   if (!is_running()) return;
   leave_step();
+  if (shows_title_) leave_title();
   say(presenter_.go_to(step));
 }
 
