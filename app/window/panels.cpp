@@ -225,7 +225,11 @@ void Panels::bind_shown(ActionBindings& actions) {
   bind_toggle(ActionId::toggle_handles, settings.show_handles);
   bind_toggle(ActionId::toggle_insertion_preview, settings.show_insertion_preview);
   actions.bind(ActionId::toggle_differences,
-               {[&settings] { settings.show_differences = !settings.show_differences; },
+               {[&settings, &messages = uses_.messages] {
+                  settings.show_differences = !settings.show_differences;
+                  messages.remark(settings.show_differences ? "What differs between panes is marked, if anything does"
+                                                            : "Differences between panes are not marked");
+                },
                 {[&work = uses_.work] { return !work.panes().is_empty(); }, "there is no second pane"},
                 [&settings] { return settings.show_differences; }});
   actions.bind(ActionId::put_marks_back, {[&settings] {
