@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Sources of a library are compiled together, some in one translation unit, which reads their common headers once: most of
-# the time that a source takes on its own goes there. So rooms that are used together are one library. The preset for
+# Sources of a library are compiled together, some in one translation unit, which reads their common headers once: most
+# of the time that a source takes on its own goes there. So rooms that are used together are one library. The preset for
 # development compiles each source on its own, since an error or a change concerns one source only; scripts/separate.sh
 # checks that this works.
 option(MESECINA_UNITY "Compile sources of each library together, some at a time" ON)
@@ -24,10 +24,10 @@ function(mes_add_rooms target)
   set_property(GLOBAL APPEND PROPERTY mes_libraries_of_rooms ${target})
 endfunction()
 
-# Sources of one translation unit at most. Those of the program take up to 1.6 GiB at -O2, and half a minute or more, which
-# a change of one costs as well; those of a test program read precompiled headers and gain less. Of those that instantiate
-# triangulations of CGAL three take as much: sources with the property MESECINA_TRIANGULATES, and tests that name CGAL.
-# The scripts start a compiler for each 2 GiB of memory.
+# Sources of one translation unit at most. A unit of the program takes up to 1.6 GiB at -O2, and half a minute or more,
+# also after a change of one source; sources of tests read precompiled headers and gain less. Of sources that
+# instantiate triangulations of CGAL three take as much: those with the property MESECINA_TRIANGULATES, and tests that
+# name CGAL. The scripts start a compiler for each 2 GiB of memory.
 set(mes_unity_batch 46)
 set(mes_unity_batch_of_tests 24)
 set(mes_unity_batch_of_triangulations 3)

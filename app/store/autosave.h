@@ -47,7 +47,7 @@ class Autosave {
   /// `file` gives the file in which the document is kept, if there is one.
   void follow(const Editor& editor, const std::function<Session()>& head,
               const std::function<std::optional<SourceFile>()>& file = {});
-  /// Tells the autosave that this file, or one that is not compared, now holds everything.
+  /// Tells the autosave that everything is saved, in this file if one is given.
   void note_saved(const std::optional<SourceFile>& file = {});
   void discard();
   /// The reason why work is not protected, given once.

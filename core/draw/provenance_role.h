@@ -5,7 +5,7 @@
 
 namespace mes {
 
-/// What an element of a provenance is to the element that is asked about.
+/// How an element of a provenance relates to the element that is asked about.
 enum class ProvenanceRole : std::uint8_t { itself, origin, product };
 
 }  // namespace mes

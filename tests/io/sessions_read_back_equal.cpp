@@ -552,7 +552,7 @@ TEST_CASE("a journal is read up to where it was torn") {
   CHECK(read_journal(text + write_journal_saved(), "x.journal")->unsaved_edits == 0);
   CHECK(read_journal(text + write_journal_saved() + write_journal_line(Undone{}), "x.journal")->unsaved_edits == 1);
   CHECK_FALSE(all->file);
-  // A hash of 64 bits is no double.
+  // A hash has 64 bits, more than a double keeps.
   const SourceFile kept{"/tmp/a \"b\" \xC3\xBC.json", {.size = 12, .hash = 0xffff'ffff'ffff'fff1}};
   const auto saved =
       read_journal(text + write_journal_file({"/x.json", {}}) + write_journal_saved(kept), "x.journal");

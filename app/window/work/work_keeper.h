@@ -17,7 +17,8 @@ namespace mes {
 /// from others.
 class WorkKeeper {
  public:
-  /// `session_now` returns the document to keep, and `kept_in` the file that holds it when saved. Begins to search for work left behind.
+  /// `session_now` returns the document to keep, and `kept_in` the file that holds it when saved. Begins to search for
+  /// work left behind.
   WorkKeeper(Workspace& work, Messages& messages, std::function<Session()> session_now,
              std::function<std::optional<SourceFile>()> kept_in, Waker wake);
 
