@@ -132,11 +132,13 @@ TEST_CASE("lessons without samples, without words or with an odd caption are dra
   CHECK_THAT(odd.err, Catch::Contains("step 1: caption: ") && Catch::Contains("nonsense"));
 }
 
-TEST_CASE("a PDF is not written over the lesson it is made of once that has changed") {
+TEST_CASE("a PDF is not written over the lesson it is made of without being asked") {
   const TemporaryFolder folder;
   const std::string file = folder.write("lesson.json", contents_of(kCrust));
-  // Nothing changes it in between, so this is allowed; the PDF carries the lesson.
-  output_of({"lesson", file, "--pdf", file});
+  CHECK(run({"lesson", file, "--pdf", file}).exit_code == 4);
+  CHECK(contents_of(file) == contents_of(kCrust));
+  // Nothing is lost: the PDF carries the lesson.
+  output_of({"lesson", file, "--pdf", file, "--force"});
   CHECK(contents_of(file).starts_with("%PDF"));
   CHECK(std::ranges::count(output_of({"lesson", file}), '\n') == 8);
 }
