@@ -379,8 +379,12 @@ void DocumentFiles::save() {
 
 std::optional<SourceFile> DocumentFiles::kept_in() const {
   const auto known = held_.known.find(key_of(held_.file));
-  const bool are_two = !held_.sample_file.empty() && !held_.ball_file.empty();
-  if (held_.file.empty() || are_two || known == held_.known.end()) return std::nullopt;
+  if (held_.file.empty() || known == held_.known.end()) return std::nullopt;
+  Held again;
+  keep_in(held_.file, again);
+  if (again.session_file != held_.session_file || again.sample_file != held_.sample_file ||
+      again.ball_file != held_.ball_file)
+    return std::nullopt;
   std::error_code error;
   const fs::path whole = fs::absolute(held_.file, error);
   return SourceFile{error ? held_.file : whole, known->second};

@@ -132,8 +132,8 @@ class DocumentFiles {
 
   /// The file opened or saved last, if Save can write it; empty when a name must be asked for.
   const std::filesystem::path& file() const { return held_.file; }
-  /// The one file that holds the whole document when saved, and its content when read or saved; nothing if there are
-  /// two files, or none.
+  /// Returns the file in which the document is saved, and its content when read or saved; nothing if there is not just
+  /// one file, or if its ending does not tell what is saved in it.
   std::optional<SourceFile> kept_in() const;
   const std::filesystem::path& sample_file() const { return held_.sample_file; }
   const std::filesystem::path& ball_file() const { return held_.ball_file; }

@@ -314,6 +314,11 @@ TEST_CASE("recovered work is saved in the file in which it was kept, unless that
     CHECK_FALSE(saved->error);
     CHECK(saved->conflict.has_value() == has_changed);
     CHECK(bench.editor.is_modified() == has_changed);
+    // By its ending this would be a file of samples, which would replace the session.
+    bench.files.open(folder.write("a.session", write_session(*work)));
+    REQUIRE_FALSE(bench.outcome().error);
+    CHECK(bench.files.has_session_file());
+    CHECK_FALSE(bench.files.kept_in());
   }
 }
 
