@@ -227,7 +227,7 @@ void Panels::bind_shown(ActionBindings& actions) {
   actions.bind(ActionId::toggle_differences,
                {[&settings, &messages = uses_.messages] {
                   settings.show_differences = !settings.show_differences;
-                  messages.remark(settings.show_differences ? "What differs between panes is marked, if anything does"
+                  messages.remark(settings.show_differences ? "Differences between panes are marked, if there are any"
                                                             : "Differences between panes are not marked");
                 },
                 {[&work = uses_.work] { return !work.panes().is_empty(); }, "there is no second pane"},

@@ -172,8 +172,8 @@ Expected<LoadedFile> read_as(const Format& format, std::string_view bytes, const
   return file && !request.system.empty() ? in_system(*std::move(file), request, name) : std::move(file);
 }
 
-// The drawing that a file of gzip holds, as .svgz files do; nothing for any other file. It may be so many times as
-// large as the file.
+// Returns the drawing that a file of gzip holds, as .svgz files do; nothing for any other file. The text is at most so
+// many times as large as the file, and one MiB.
 Expected<std::optional<std::string>> compressed_drawing(const Formats& formats, std::string_view bytes,
                                                         const std::string& name) {
   constexpr std::size_t kMostTimes = 64;

@@ -105,7 +105,7 @@ TEST_CASE("an input that is its own output is overwritten, unless something else
         {"export", file, "--layer", "points", "--format", "csv", "-o", file}}) {
     const RunResult result = run(other);
     CHECK(result.exit_code == 4);
-    CHECK_THAT(result.err, Catch::EndsWith(": cannot be written: it is what was read; --force overwrites it\n"));
+    CHECK_THAT(result.err, Catch::EndsWith(": cannot be written: it is an input; --force overwrites it\n"));
     CHECK(contents_of(file) == samples);
   }
   CHECK(run({"compute", file, "-o", file, "--force"}).exit_code == 0);
@@ -135,8 +135,8 @@ TEST_CASE("every command that reads and writes files heeds what was written to i
     const RunResult result =
         run(command, {.at_first_error = [&, name = both.filename().string()] { folder.write(name, "theirs"); }});
     CHECK(result.exit_code == 4);
-    CHECK_THAT(result.err, Catch::Contains(command.front() == "evolve" ? "it has changed since it was read"
-                                                                       : "it is what was read"));
+    CHECK_THAT(result.err,
+               Catch::Contains(command.front() == "evolve" ? "it has changed since it was read" : "it is an input"));
     CHECK(contents_of(both) == "theirs");
   }
   CHECK(folder.file_count() == 2);

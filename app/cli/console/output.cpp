@@ -35,7 +35,7 @@ Expected<void> write_file(const std::string& file, std::string_view bytes, const
   if (overwriting.force || source == overwriting.sources.end()) return write_file_atomically(file, bytes);
   if (!overwriting.is_of_its_kind)
     return std::unexpected(
-        Error{ErrorCode::cannot_write, "cannot be written: it is what was read; --force overwrites it", file});
+        Error{ErrorCode::cannot_write, "cannot be written: it is an input; --force overwrites it", file});
   const auto written = replace_file(file, bytes, source->fingerprint);
   if (!written) return std::unexpected(written.error());
   if (*written == Replaced::done) return {};
