@@ -6,13 +6,13 @@
 #include <memory>
 #include <optional>
 
+#include "app/actions/pointer_input.h"
 #include "app/canvas/tools/tool.h"
 #include "app/panes/pane_places.h"
 #include "app/panes/pane_views.h"
 
 namespace mes {
 
-enum class PointerButton : std::uint8_t { left, middle, right };
 enum class ToolId : std::uint8_t { select, insert, spray, ball, measure, annotate, brush };
 inline constexpr std::size_t kToolCount = 7;
 

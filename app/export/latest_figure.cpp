@@ -8,8 +8,8 @@
 #include "app/export/pane_figure.h"
 #include "app/picture/paper/pane_sheet.h"
 #include "app/store/background_loader.h"
-#include "core/io/carried_session.h"
 #include "core/io/files/atomic_file.h"
+#include "core/io/session/session.h"
 #include "render/figure/raster.h"
 
 namespace mes {

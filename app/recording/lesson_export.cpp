@@ -11,8 +11,8 @@
 #include "app/recording/lesson_film.h"
 #include "app/recording/video.h"
 #include "core/base/lower_case.h"
-#include "core/io/carried_session.h"
 #include "core/io/files/atomic_file.h"
+#include "core/io/session/session.h"
 
 namespace mes {
 namespace {

@@ -11,7 +11,7 @@
 
 #include "app/recording/frame_view.h"
 #include "app/recording/picture_clipboard.h"
-#include "core/io/carried_session.h"
+#include "core/io/session/session.h"
 #include "render/image/png.h"
 
 namespace mes {

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -11,7 +12,7 @@
 
 namespace mes {
 
-/// Disjoint sets of the rows of a table.
+/// Disjoint sets of the rows of a table, or of the numbers below a count.
 ///
 /// Smallest use:
 ///     DisjointSets<FaceSlot> sets(count);
@@ -38,21 +39,29 @@ class DisjointSets {
   }
 
   Row root(Row x) {
-    RowNumber at = x.index();
+    RowNumber at = number(x);
     while (parent_[at] != at) at = parent_[at];
-    for (RowNumber next = x.index(); next != at;) next = std::exchange(parent_[next], at);
+    for (RowNumber next = number(x); next != at;) next = std::exchange(parent_[next], at);
     return Row(at);
   }
   /// Joins the sets of two roots; returns the root of the joint set, which is one of the two.
   Row join(Row a, Row b) {
     if (a == b) return a;
-    if (rank_[a.index()] > rank_[b.index()]) std::swap(a, b);
-    parent_[a.index()] = b.index();
-    if (rank_[a.index()] == rank_[b.index()]) ++rank_[b.index()];
+    if (rank_[number(a)] > rank_[number(b)]) std::swap(a, b);
+    parent_[number(a)] = number(b);
+    if (rank_[number(a)] == rank_[number(b)]) ++rank_[number(b)];
     return b;
   }
 
  private:
+  static RowNumber number(Row x) {
+    if constexpr (std::is_same_v<Row, RowNumber>) {
+      return x;
+    } else {
+      return x.index();
+    }
+  }
+
   std::vector<RowNumber> parent_;
   std::vector<std::uint8_t> rank_;  // at least the length of the longest path to the root
 };

@@ -7,14 +7,11 @@
 #include <utility>
 
 #include "core/base/disjoint_sets.h"
-#include "core/base/slot.h"
 #include "core/curves/internal/network.h"
 #include "core/curves/joined_ends.h"
 
 namespace mes {
 namespace {
-
-using NodeSlot = Slot<struct NetworkNodeTag>;
 
 /// The arcs of a network and the faces between them. Half edge 2 a runs along arc a, and 2 a + 1 runs back.
 class Faces {
@@ -99,11 +96,10 @@ class Faces {
 
   /// Finds connected components of arcs; components without open curves do not change.
   void find_meshes() {
-    DisjointSets<NodeSlot> sets(node_count_);
-    const auto root = [&](std::uint32_t arc) { return sets.root(NodeSlot(network_.nodes[arc][0])).index(); };
+    DisjointSets<std::uint32_t> sets(node_count_);
+    const auto root = [&](std::uint32_t arc) { return sets.root(network_.nodes[arc][0]); };
     for (std::uint32_t arc = 0; arc < is_in_mesh_.size(); ++arc)
-      if (is_in_mesh_[arc])
-        sets.join(sets.root(NodeSlot(network_.nodes[arc][0])), sets.root(NodeSlot(network_.nodes[arc][1])));
+      if (is_in_mesh_[arc]) sets.join(root(arc), sets.root(network_.nodes[arc][1]));
     std::vector<bool> has_open(node_count_, false);
     has_closed_.assign(node_count_, false);
     mesh_of_.assign(is_in_mesh_.size(), 0);

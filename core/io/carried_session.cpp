@@ -120,13 +120,6 @@ bool is_xml(std::string_view bytes) {
 
 }  // namespace
 
-std::optional<std::string> packed_session(const Session& session) {
-  const std::string text = write_session(session);
-  if (text.size() > kMostCarriedBytes) return std::nullopt;
-  // A longer search would compress digits hardly better, and the user waits for a snapshot.
-  return zlib_compressed(text, ZlibEffort::fast);
-}
-
 bool looks_like_manifest(std::string_view bytes) {
   return bytes.starts_with(kManifestBeginning);
 }

@@ -9,12 +9,8 @@
 #include <string_view>
 
 #include "core/base/error.h"
-#include "core/io/session/session.h"
 
 namespace mes {
-
-/// The compressed text of the session; nothing if it is longer than a picture may carry. Throws std::bad_alloc.
-std::optional<std::string> packed_session(const Session& session);
 
 /// File extensions, with the dot, of the formats that may carry a session.
 inline constexpr std::array<std::string_view, 4> kCarrierExtensions{".png", ".svg", ".pdf", ".ipe"};

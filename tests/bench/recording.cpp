@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "core/builtins/builtins.h"
-#include "core/io/carried_session.h"
+#include "core/io/session/session.h"
 #include "render/device/egl_context.h"
 #include "render/frame_capture.h"
 #include "render/image/png.h"

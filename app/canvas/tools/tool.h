@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/actions/key_chord.h"
+#include "app/actions/pointer_input.h"
 #include "app/editing/editor.h"
 #include "app/editing/selection_frame.h"
 #include "app/editing/tools/annotation_editor.h"
@@ -78,8 +79,6 @@ struct ToolFeedback {
   std::optional<Snap> snap{};                   ///< the snap that replaces the pointer's position
   std::optional<FrameMark> frame{};
 };
-
-enum class PointerShape : std::uint8_t { arrow, crosshair, hand };
 
 /// The distance in logical pixels within which a position snaps.
 inline constexpr double kSnapReachPx = 8.0;

@@ -27,7 +27,7 @@
 #include "app/recording/video.h"
 #include "app/store/lessons.h"
 #include "app/store/sample_shapes.h"
-#include "core/io/carried_session.h"
+#include "core/io/session/session.h"
 #include "core/io/text/text_numbers.h"
 
 namespace mes::cli {

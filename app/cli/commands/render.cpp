@@ -20,7 +20,7 @@
 #include "app/store/looks/color_maps.h"
 #include "app/store/sample_shapes.h"
 #include "core/graph/registry.h"
-#include "core/io/carried_session.h"
+#include "core/io/session/session.h"
 #include "render/device/egl_context.h"
 
 namespace mes::cli {

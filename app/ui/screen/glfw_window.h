@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "app/actions/key_chord.h"
-#include "app/canvas/canvas.h"
+#include "app/actions/pointer_input.h"
 #include "core/base/error.h"
 #include "core/base/geometry/vec2.h"
 

@@ -9,15 +9,12 @@
 #include <utility>
 
 #include "core/base/disjoint_sets.h"
-#include "core/base/slot.h"
 #include "core/curves/curve_bounds.h"
 #include "core/curves/internal/contacts.h"
 #include "core/curves/joined_ends.h"
 
 namespace mes {
 namespace {
-
-using PointSlot = Slot<struct NetworkPointTag>;
 
 /// A piece, or a part of one, between two possible nodes.
 struct Part {
@@ -94,18 +91,17 @@ bool NetworkMaker::has_contacts() const {
 
 void NetworkMaker::join_vertices() {
   const std::size_t count = contacts_.vertices.size();
-  DisjointSets<PointSlot> sets(count);
-  const auto root = [&](std::uint32_t v) { return sets.root(PointSlot(v)); };
+  DisjointSets<std::uint32_t> sets(count);
   for (const Contact& contact : contacts_.contacts) {
     const TouchingPiece& piece = contacts_.pieces[contact.piece];
-    if (contact.parameter == 0.0) sets.join(root(contact.vertex), root(piece.from));
-    if (contact.parameter == 1.0) sets.join(root(contact.vertex), root(piece.to));
+    if (contact.parameter == 0.0) sets.join(sets.root(contact.vertex), sets.root(piece.from));
+    if (contact.parameter == 1.0) sets.join(sets.root(contact.vertex), sets.root(piece.to));
   }
   // The first vertex represents all.
   std::vector<std::uint32_t> first(count, CurveNetwork::kNoNode);
   point_of_.resize(count);
   for (std::uint32_t v = 0; v < count; ++v) {
-    std::uint32_t& point = first[root(v).index()];
+    std::uint32_t& point = first[sets.root(v)];
     if (point == CurveNetwork::kNoNode) point = v;
     point_of_[v] = point;
   }

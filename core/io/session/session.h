@@ -68,6 +68,9 @@ struct Session {
 };
 
 std::string write_session(const Session& session);
+/// Compressed, as pictures and figures carry it (core/base/carried_session.h); nothing if it is longer than they may
+/// carry. Throws std::bad_alloc.
+std::optional<std::string> packed_session(const Session& session);
 /// Error: `bad_input` with file, and line and column if it is not JSON.
 /// Throws `Cancelled`, if there is a job.
 Expected<Session> read_session(std::string_view text, const std::string& file, JobControl* job = nullptr,

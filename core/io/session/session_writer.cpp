@@ -7,6 +7,8 @@
 #include <string>
 #include <string_view>
 
+#include "core/base/carried_session.h"
+#include "core/base/zlib.h"
 #include "core/io/session/json_annotations.h"
 #include "core/io/session/json_curves.h"
 #include "core/io/session/json_layers.h"
@@ -255,6 +257,13 @@ std::string write_session(const Session& session) {
   static_assert(kSessionSchema < 10);
   out[kHeadBegin.size()] = static_cast<char>('0' + schema);
   return out + "\n]}\n";
+}
+
+std::optional<std::string> packed_session(const Session& session) {
+  const std::string text = write_session(session);
+  if (text.size() > kMostCarriedBytes) return std::nullopt;
+  // A longer search would compress digits hardly better, and the user waits for a snapshot.
+  return zlib_compressed(text, ZlibEffort::fast);
 }
 
 std::string write_journal_head(const Session& session) {

@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 #include <thread>
 
-#include "core/io/carried_session.h"
+#include "core/io/session/session.h"
 #include "render/figure/writers.h"
 #include "tests/model/files/files_bench.h"
 
