@@ -3,6 +3,7 @@
 
 #include "app/layers/layer_step_name.h"
 #include "core/base/assert.h"
+#include "core/document/moved_curves.h"
 
 namespace mes {
 
@@ -199,6 +200,17 @@ void Editor::begin_gesture(std::string name) {
 }
 
 void Editor::end_gesture() {
+  try {
+    if (const auto deltas = history_.gesture(); deltas.size() == 1)
+      if (auto source = source_after_move(document_, deltas.front().edits))
+        record(set_source(document_, std::move(source)), {});
+  } catch (const std::bad_alloc&) {
+    // The curves stay where they are.
+  }
+  close_gesture();
+}
+
+void Editor::close_gesture() {
   history_.end_gesture();
   timeline_.note_gesture_ended();
 }
@@ -249,14 +261,18 @@ Expected<void> Editor::perform(const Expected<DocumentDelta>& delta, const std::
 
 Expected<void> Editor::move(std::span<const std::pair<SampleId, Vec2>> samples,
                             std::span<const std::pair<BallId, Disk>> balls, const std::string& name) {
-  return perform(
-      change_document(document_, {.moved = placed(document_, samples), .changed_balls = placed(document_, balls)}),
-      name);
+  auto delta =
+      change_document(document_, {.moved = placed(document_, samples), .changed_balls = placed(document_, balls)});
+  if (delta && !in_gesture())
+    if (auto source = source_after_move(document_, delta->edits)) delta->source_after = std::move(source);
+  return perform(delta, name);
 }
 
 Expected<void> Editor::remove(std::span<const SampleId> samples, std::span<const BallId> balls,
                               const std::string& name) {
-  return perform(change_document(document_, {.removed = samples, .removed_balls = balls}), name);
+  auto delta = change_document(document_, {.removed = samples, .removed_balls = balls});
+  if (delta && are_all_of_source(document_, samples)) delta->source_after = nullptr;
+  return perform(delta, name);
 }
 
 Expected<void> Editor::remove_selection() {
@@ -360,7 +376,7 @@ Document Editor::before_last_edit() const {
 void Editor::cancel_gesture() {
   if (!in_gesture()) return;
   const std::size_t before = history_.position();
-  end_gesture();
+  close_gesture();
   if (history_.position() != before) take_back();
 }
 

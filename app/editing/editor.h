@@ -25,7 +25,9 @@ namespace mes {
 /// Guarantees:
 ///  1. Every change of the document is made here, and reaches the index, the selection and the listener once, in
 ///     order. A refused command changes nothing.
-///  2. A gesture, however many commands it runs, is one step of undo; a cancelled gesture leaves no step.
+///  2. A gesture, however many commands it runs, is one step of undo; a cancelled gesture leaves no step. Source curves
+///     follow at its end if it has done nothing but move all their samples alike (core/document/moved_curves.h); they go when these are
+///     removed.
 ///  3. The timeline records each change once and in order; replaying it gives this document and this history.
 ///  4. Given coordinates that are negligible beside the others of the document (core/base/geometry/coordinate_range.h) are set
 ///     to zero; other numbers out of range are refused.
@@ -220,6 +222,7 @@ class Editor {
   void record(const DocumentDelta& delta, const std::string& name, bool continues = false);
   Expected<void> perform(const Expected<DocumentDelta>& delta, const std::string& name, bool continues = false);
   void take_back();
+  void close_gesture();
   /// Makes the delta that `make` returns one step. It replaces the last step if the revision is still `shown`, which
   /// is set to the new revision. `is_state`: the state of an evolution.
   Expected<void> show_in_place(std::uint64_t& shown,

@@ -243,6 +243,12 @@ Expected<DocumentDelta> set_contours(const Document& document, CurveOrder contou
   return delta;
 }
 
+DocumentDelta set_source(const Document& document, std::shared_ptr<const CurveSource> source) {
+  DocumentDelta delta = delta_from(document);
+  delta.source_after = std::move(source);
+  return delta;
+}
+
 Expected<DocumentDelta> arrange_samples(const Document& document, std::span<const Vec2> positions,
                                         std::span<const SampleData::Contour> contours) {
   if (positions.size() < document.sample_count()) return refuse("there are fewer places than samples");

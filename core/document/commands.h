@@ -61,6 +61,9 @@ SampleData data_of(const Document& document);
 /// Replaces the contours, which may name removed samples. Error: `bad_input` for a sample that never existed.
 Expected<DocumentDelta> set_contours(const Document& document, CurveOrder contours);
 
+/// Replaces the curves that samples were taken from, and how they were taken; null: none from now on. No sample moves.
+DocumentDelta set_source(const Document& document, std::shared_ptr<const CurveSource> source);
+
 /// Moves the live samples, in input order, to the first of `positions`, and inserts samples at the others. `contours`,
 /// if not empty, become the curve order; they name samples by index in `positions`. Error: fewer positions than
 /// samples, otherwise as for moves, insertions and replacements.

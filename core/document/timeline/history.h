@@ -34,6 +34,8 @@ class History {
   void begin_gesture(std::string name);
   void end_gesture();
   bool in_gesture() const { return gesture_open_; }
+  /// The deltas of the open gesture, moves merged.
+  std::span<const DocumentDelta> gesture() const { return gesture_.deltas; }
   /// An edit is a step of its own (`plain`), or continues the last step, or leads to a state of an evolution. State 0
   /// is the document before that edit.
   enum class Role : std::uint8_t { plain, continues, state };
