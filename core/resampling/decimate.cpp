@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
+#include <set>
+#include <utility>
 
 #include "core/graph/explain.h"
 #include "core/resampling/internal/before_and_now.h"
@@ -105,10 +108,12 @@ struct Thinned {
 
 class Decimator {
  public:
+  /// `field`, unless null: of the curves on which all samples lie.
   Decimator(const Registry& registry, const SampleData& data, const MovingCurve& curve, const JudgedSamples& before,
-            double epsilon)
+            const FeatureField* field, double epsilon)
       : registry_(registry),
         data_(data),
+        field_(field),
         epsilon_(epsilon),
         light_(before.light()),
         components_(before.components()),
@@ -148,6 +153,7 @@ class Decimator {
     const auto now = JudgedSamples::of(registry_, out.data, job);
     if (!now) return std::unexpected(now.error());
     out.verdict = now->verdict();
+    const std::set<std::pair<std::uint32_t, std::uint32_t>> sparse = sparse_intervals(out.data.positions, job);
     out.has_same_axis = now->components() == components_ && now->cycles() == cycles_ &&
                         out.verdict.light <= std::max(light_, TheoremLight::green);
     for (std::size_t c = 0; c < chains_.size(); ++c) {
@@ -156,15 +162,28 @@ class Decimator {
         if (j == i + 1) return;
         const auto verdict = now->judge(number[chain.sample(i)], number[chain.sample(j)]);
         out.thinned.emplace_back(c, (i + j) / 2);
-        if (!verdict.is_curve || verdict.epsilon > epsilon_) out.wanted_back.emplace_back(c, (i + j) / 2);
+        const bool is_sparse = sparse.contains(std::minmax({number[chain.sample(i)], number[chain.sample(j)]}));
+        if (!verdict.is_curve || verdict.epsilon > epsilon_ || is_sparse)
+          out.wanted_back.emplace_back(c, (i + j) / 2);
       });
     }
     return out;
   }
 
  private:
+  /// Samples between which the curves need others, the smaller number first.
+  std::set<std::pair<std::uint32_t, std::uint32_t>> sparse_intervals(std::span<const Vec2> positions,
+                                                                     JobControl& job) const {
+    std::set<std::pair<std::uint32_t, std::uint32_t>> out;
+    if (field_ == nullptr) return out;
+    for (const FilledInterval& interval : field_->filled(positions, epsilon_, false, &job))
+      out.insert(std::minmax({interval.from, interval.to}));
+    return out;
+  }
+
   const Registry& registry_;
   const SampleData& data_;
+  const FeatureField* field_;
   double epsilon_;
   TheoremLight light_;
   std::int64_t components_;
@@ -172,13 +191,36 @@ class Decimator {
   std::vector<ThinnedChain> chains_;
 };
 
+/// Samples at the positions, all of the curves of the data.
+Expected<JudgedSamples> judged_on_curves(const Registry& registry, const SampleData& data,
+                                         const std::vector<Vec2>& positions, JobControl& job) {
+  CurveSource source = *data.source;
+  source.first = 0;
+  source.count = static_cast<std::uint32_t>(positions.size());
+  return JudgedSamples::of(registry,
+                           {.positions = positions, .source = std::make_shared<const CurveSource>(std::move(source))},
+                           job, true);
+}
+
 }  // namespace
 
 Expected<Decimation> decimate(const Registry& registry, const SampleData& data, double epsilon, JobControl& job) {
   const auto before = JudgedSamples::of(registry, data, job);
   if (!before) return std::unexpected(before.error());
   const MovingCurve curve = curve_of(data, job);
-  Decimator decimator(registry, data, curve, *before, epsilon);
+  Decimation out;
+  out.before = before->verdict();
+  std::optional<JudgedSamples> on_curves;
+  const FeatureField* field = nullptr;
+  if (data.source) {
+    auto judged = judged_on_curves(registry, data, data.positions, job);
+    if (!judged) return std::unexpected(judged.error());
+    on_curves = *std::move(judged);
+    out.before = on_curves->verdict();
+    const CurveSampling& curves = on_curves->curves();
+    if (curves.has_standing() && curves.standing().off_curve == 0) field = curves.field();
+  }
+  Decimator decimator(registry, data, curve, *before, field, epsilon);
   // An edge that is not a curve edge, or is too long now, gets its middle sample back; if the axis has changed, all
   // such edges do. In the worst case the loop ends with all samples back.
   for (;;) {
@@ -190,28 +232,19 @@ Expected<Decimation> decimate(const Registry& registry, const SampleData& data, 
       decimator.take_back(back);
       continue;
     }
-    Decimation out;
     const std::vector<bool> is_gone = decimator.gone();
     for (std::uint32_t i = 0; i < is_gone.size(); ++i)
       if (is_gone[i]) out.removed.push_back(i);
     out.data = std::move(now->data);
-    out.before = before->verdict();
     out.after = std::move(now->verdict);
     out.no_axis = before->why_no_axis();
     out.components = before->components();
     out.cycles = before->cycles();
     // The verdict needs the distances of the samples to their curves, which are not measured while samples are tried.
     if (data.source) {
-      CurveSource source = *data.source;
-      source.first = 0;
-      for (const auto& [positions, verdict] :
-           {std::pair(&data.positions, &out.before), {&out.data.positions, &out.after}}) {
-        source.count = static_cast<std::uint32_t>(positions->size());
-        const auto judged = JudgedSamples::of(
-            registry, {.positions = *positions, .source = std::make_shared<const CurveSource>(source)}, job, true);
-        if (!judged) return std::unexpected(judged.error());
-        *verdict = judged->verdict();
-      }
+      const auto judged = judged_on_curves(registry, data, out.data.positions, job);
+      if (!judged) return std::unexpected(judged.error());
+      out.after = judged->verdict();
     }
     return out;
   }

@@ -27,13 +27,15 @@ struct Decimation {
   std::string words() const;
 };
 
-/// Removes samples while the remaining ones are an epsilon-sample by the estimate (FeatureSize).
+/// Removes samples while the remaining ones are an epsilon-sample: by the estimate (FeatureSize), and also by the
+/// feature size of the curves if all samples lie on the curves that they were taken from.
 ///
 /// Guarantees:
 ///  1. Let two remaining samples be neighbours on the curve with removed samples between them. Half their distance is
 ///     at most `epsilon` times the least original feature size of the two and of the removed ones; and the epsilon of
-///     their curve edge, estimated from the remaining samples, is at most `epsilon` too. Pairs that were neighbours
-///     before have no such guarantee.
+///     their curve edge, estimated from the remaining samples, is at most `epsilon` too. Between two such
+///     samples on curves, none is missing for that epsilon (`FeatureField::filled`). Pairs that were neighbours before
+///     have no such guarantee.
 ///  2. The curve of the remaining samples visits them in the same order: each such pair is a crust edge.
 ///  3. The one-step axis keeps its numbers of components and cycles, and the theorem light does not get worse.
 ///  4. Corners, ends of the curve and samples on no curve stay.

@@ -14,6 +14,7 @@
 #include "core/curves/nearest_place.h"
 #include "core/document/commands.h"
 #include "core/engine/graph.h"
+#include "core/resampling/decimate.h"
 #include "core/resampling/repair.h"
 #include "core/resampling/resampling.h"
 #include "core/structures/density/curve_sampling.h"
@@ -342,6 +343,29 @@ TEST_CASE("repair of samples of known curves puts new ones on the curves, and ke
     CHECK(bench.curves().standing().epsilon == repaired->after.epsilon->value);
     CHECK(bench.light() == repaired->after.light);
   }
+}
+
+TEST_CASE("decimation of samples of known curves keeps the epsilon by the curves, not only by the estimate") {
+  const double epsilon = GENERATE(0.25, 0.5);
+  for (const KnownShape& shape : known_shapes()) {
+    INFO(shape.name);
+    const SampleData data = opened(shape.curves, {.rule = SamplingRule::count, .count = 4500});
+    JobControl job;
+    const auto decimated = decimate(builtins(), data, epsilon, job);
+    REQUIRE(decimated);
+    CHECK_FALSE(decimated->removed.empty());
+    REQUIRE(decimated->before.epsilon);
+    REQUIRE(decimated->after.epsilon);
+    CHECK_FALSE(decimated->after.epsilon->is_estimate);
+    CHECK(decimated->after.epsilon->value <= epsilon);
+    CHECK(true_epsilon(shape, decimated->data.positions) <= epsilon);
+  }
+  const SampleData letter = opened(kLetter, {.rule = SamplingRule::count, .count = 4500});
+  JobControl job;
+  const auto decimated = decimate(builtins(), letter, epsilon, job);
+  REQUIRE(decimated);
+  CHECK_FALSE(decimated->removed.empty());
+  CHECK(decimated->after.epsilon->value <= std::max(epsilon, decimated->before.epsilon->value));
 }
 
 TEST_CASE("samples of which most lie off their curves are repaired along a curve through themselves") {
