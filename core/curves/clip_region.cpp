@@ -85,16 +85,6 @@ GridPaths combined(const GridPaths& subject, FillRule rule, const GridPaths& cli
   return out;
 }
 
-/// Drops parts that are nowhere wider than about `width`.
-void drop_slivers(GridPaths& paths, double width) {
-  std::erase_if(paths, [width](const GridPath& path) {
-    double around = 0.0;
-    for (std::size_t i = 0; i < path.size(); ++i)
-      around += length(as_vec(path[(i + 1) % path.size()]) - as_vec(path[i]));
-    return path.size() < 3 || std::abs(ClipperLib::Area(path)) <= 0.5 * width * around;
-  });
-}
-
 /// The part of a path on one side of a level line; the rest is replaced by a section of the line.
 template <class Inside, class Crossing>
 GridPath cut_off(const GridPath& path, Inside is_inside, Crossing crossing) {
@@ -226,7 +216,7 @@ class CurveClipper {
     const SideTracer tracer(subject_, &region_);
     for (const GridPath& path : seen) {
       const TracedPath traced = tracer.closed(path);
-      if (const auto same = curve_all_around(traced)) {
+      if (const auto same = whole_curve(traced, subject_)) {
         out.curves.push_back(curves_[*same]);
         out.curves.back().close();
       } else if (PlaneCurve curve = curve_of(traced, true); curve.piece_count() > 1 || !curve.is_polyline()) {
@@ -271,20 +261,6 @@ class CurveClipper {
 
  private:
   ClippedCurves whole() { return {Seen::whole, std::move(curves_)}; }
-
-  /// The curve of the subject that a path follows completely; nothing for other paths.
-  std::optional<std::uint32_t> curve_all_around(const TracedPath& path) const {
-    std::vector<std::uint32_t> pieces;
-    for (const TracedRun& run : path.runs) {
-      if (run.of != &subject_ || !run.is_whole()) return std::nullopt;
-      pieces.push_back(run.piece);
-    }
-    std::ranges::sort(pieces);
-    if (!subject_.is_first(pieces.front()) || !subject_.is_last(pieces.back())) return std::nullopt;
-    for (std::size_t i = 0; i < pieces.size(); ++i)
-      if (pieces[i] != pieces[0] + i || (i > 0 && subject_.is_first(pieces[i]))) return std::nullopt;
-    return subject_.curve_of(pieces.front());
-  }
 
   /// Turns the path to the direction of its curve.
   static TracedPath forwards(TracedPath path) {

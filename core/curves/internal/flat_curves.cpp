@@ -135,4 +135,13 @@ std::vector<SideAt> FlatCurves::sides_at(ClipperPoint corner, double reach) cons
   return out;
 }
 
+void drop_slivers(GridPaths& paths, double width) {
+  std::erase_if(paths, [width](const GridPath& path) {
+    double around = 0.0;
+    for (std::size_t i = 0; i < path.size(); ++i)
+      around += length(as_vec(path[(i + 1) % path.size()]) - as_vec(path[i]));
+    return path.size() < 3 || std::abs(ClipperLib::Area(path)) <= 0.5 * width * around;
+  });
+}
+
 }  // namespace mes

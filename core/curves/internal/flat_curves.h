@@ -23,6 +23,9 @@ inline Vec2 as_vec(ClipperPoint p) {
   return {static_cast<double>(p.X), static_cast<double>(p.Y)};
 }
 
+/// Drops parts that are nowhere wider than about `width`.
+void drop_slivers(GridPaths& paths, double width);
+
 /// A straight side that stands for part of a piece, between two parameters.
 struct FlatSide {
   ClipperPoint from;

@@ -202,6 +202,19 @@ TracedPath SideTracer::open(const GridPath& path, double reach) const {
   return out;
 }
 
+std::optional<std::uint32_t> whole_curve(const TracedPath& path, const FlatCurves& subject) {
+  std::vector<std::uint32_t> pieces;
+  for (const TracedRun& run : path.runs) {
+    if (run.of != &subject || !run.is_whole()) return std::nullopt;
+    pieces.push_back(run.piece);
+  }
+  std::ranges::sort(pieces);
+  if (!subject.is_first(pieces.front()) || !subject.is_last(pieces.back())) return std::nullopt;
+  for (std::size_t i = 0; i < pieces.size(); ++i)
+    if (pieces[i] != pieces[0] + i || (i > 0 && subject.is_first(pieces[i]))) return std::nullopt;
+  return subject.curve_of(pieces.front());
+}
+
 PlaneCurve curve_of(const TracedPath& path, bool closes) {
   PlaneCurve out(path.start);
   for (const TracedRun& run : path.runs) {

@@ -2,6 +2,7 @@
 // Maps polygons from Clipper back to the curves whose sides they consist of. Private to core/curves.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
@@ -53,6 +54,9 @@ class SideTracer {
   const FlatCurves& subject_;
   const FlatCurves* region_;
 };
+
+/// The index of the curve of the subject that a path follows completely; nothing for other paths.
+std::optional<std::uint32_t> whole_curve(const TracedPath& path, const FlatCurves& subject);
 
 /// The curve that consists of the runs; closed if the path ends at its start and `closes` is set.
 PlaneCurve curve_of(const TracedPath& path, bool closes);

@@ -7,6 +7,7 @@
 
 #include "core/base/jobs/parallel.h"
 #include "core/curves/curve_bounds.h"
+#include "core/curves/filled_area.h"
 
 namespace mes {
 namespace {
@@ -91,13 +92,20 @@ void SvgShapeQueue::finish(SvgShape& shape) {
     curve.transform(shape.context.map);
   }
   shape.is_off_page = lie_off(page_, curves);
+  bool is_even_odd = shape.context.fills_even_odd;
+  if (shape.context.is_filled() && !is_even_odd && !curves.empty()) {
+    FilledArea area = nonzero_area(std::move(curves), grid_);
+    curves = std::move(area.curves);
+    shape.overlaps_itself = is_even_odd = area.is_changed;
+    shape.may_overlap_itself = area.is_unknown;
+  }
   if (!shape.context.clip.is_plane() && !curves.empty()) {
     shape.is_unclipped = !ClipRegion::fits(curves, grid_);
     // Once it is too much, the drawing is refused, whatever becomes of the shapes that are left.
     if (!shape.is_unclipped && clip_cost_ <= kMostClipCost)
       clip_cost_ += shape.context.clip.cost_near(bounds_of(curves), kMostClipCost + 1);
     if (!shape.is_unclipped && clip_cost_ <= kMostClipCost) {
-      const Ink area = shape.context.fills_even_odd ? Ink::even_odd_area : Ink::nonzero_area;
+      const Ink area = is_even_odd ? Ink::even_odd_area : Ink::nonzero_area;
       auto clipped = shape.context.clip.clipped(std::move(curves), shape.context.is_filled() ? area : Ink::line);
       shape.seen = clipped.seen;
       curves = std::move(clipped.curves);
@@ -113,6 +121,13 @@ void SvgShapeQueue::remark_on(const SvgShape& shape) {
   if (geometry.path.fault)
     remarks.add("list of coordinates is read up to a fault", "lists of coordinates are read up to a fault",
                 source_.place_of(shape.node, geometry.data, *geometry.path.fault));
+  if (shape.overlaps_itself)
+    remarks.add("shape overlaps itself, and is read as the boundary of its area",
+                "shapes overlap themselves, and are read as the boundaries of their areas", place);
+  if (shape.may_overlap_itself)
+    remarks.add("shape crosses itself too often for the nonzero fill rule, and is read by the even-odd rule",
+                "shapes cross themselves too often for the nonzero fill rule, and are read by the even-odd rule",
+                place);
   if (shape.seen == Seen::nothing)
     remarks.add("shape is left out, which its clip path hides", "shapes are left out, which clip paths hide", place);
   if (shape.seen == Seen::part) remarks.add("shape is cut by its clip path", "shapes are cut by clip paths", place);

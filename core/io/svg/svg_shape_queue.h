@@ -23,7 +23,9 @@ struct SvgShape {
   SvgGeometry geometry;
   ClippedCurves::Seen seen = ClippedCurves::Seen::whole;
   bool is_off_page = false;
-  bool is_unclipped = false;  ///< does not fit its clip path
+  bool overlaps_itself = false;     ///< the boundary of its area has replaced its curves
+  bool may_overlap_itself = false;  ///< this would take too long to find out
+  bool is_unclipped = false;        ///< does not fit its clip path
 };
 
 /// Collects shapes until several threads have work. Through `use`, shapes may far outnumber the bytes of the file.

@@ -245,6 +245,24 @@ TEST_CASE("what is neither filled nor stroked is left out") {
              Catch::Contains("1 shape is left out, which is neither filled nor stroked"));
 }
 
+TEST_CASE("a shape that overlaps itself is what its fill rule fills, and this is said") {
+  const std::string two = "d='M10 10H60V60H10Z M40 40H90V90H40Z'";
+  CHECK(area_of(curves_shown("<path id='a' " + two + "/>")) == Approx(4600));
+  CHECK(seen("<path id='a' " + two + "/>") == "a");
+  CHECK(warnings_of("<path " + two + "/>") ==
+        std::vector<std::string>{"a.svg:1:67: 1 shape overlaps itself, and is read as the boundary of its area"});
+  CHECK(seen("<path id='a' fill-rule='evenodd' " + two + "/>") == "aa");
+  CHECK(warnings_of("<g style='fill-rule: evenodd'><path " + two + "/></g>").empty());
+  CHECK(seen("<path id='a' fill='none' stroke='red' " + two + "/>") == "aa");
+  // A square within another one is a hole only if it goes around the other way.
+  CHECK(seen("<path id='a' d='M10 10H90V90H10Z M30 30H60V60H30Z'/>") == "a");
+  CHECK(seen("<path id='a' d='M10 10H90V90H10Z M30 30V60H60V30Z'/>") == "aa");
+  // Even where a clip path cuts it.
+  CHECK(area_of(curves_shown("<clipPath id='c'><rect width='100' height='50'/></clipPath>"
+                             "<path clip-path='url(#c)' " +
+                             two + "/>")) == Approx(2300));
+}
+
 TEST_CASE("a switch shows the first alternative that a viewer takes") {
   CHECK(seen("<switch>" + square("a", "requiredExtensions='x'") + square("b") + square("c") + "</switch>") == "b");
   CHECK(seen("<switch><desc/>" + square("a", "systemLanguage='de, fr'") + square("b", "systemLanguage='de, en-US'") +
