@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <functional>
 #include <memory>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -74,9 +75,32 @@ std::string about_far_vertex(const CurveSet& curves) {
   return {};
 }
 
+bool holds(const std::set<std::pair<double, double>>& places, Vec2 p) {
+  return places.contains({p.x, p.y});
+}
+
+/// A line to or from an added vertex becomes a straight quadratic: lines that meet there are chords of one curve, which
+/// goes on without a corner, and the others are lines.
+void smooth_at(const std::set<std::pair<double, double>>& added, CurveSet& curves) {
+  if (added.empty()) return;
+  for (PlaneCurve& curve : curves.curves) {
+    if (std::ranges::none_of(curve.points(), [&](Vec2 p) { return holds(added, p); })) continue;
+    PlaneCurve out(curve.start());
+    out.name = curve.name;
+    curve.for_each_piece([&](const Piece& piece) {
+      if (piece.kind == PieceKind::line && (holds(added, piece.from()) || holds(added, piece.to())))
+        out.quadratic_to(0.5 * piece.from() + 0.5 * piece.to(), piece.to());
+      else
+        out.add(piece);
+    });
+    if (curve.is_closed()) out.close();
+    curve = std::move(out);
+  }
+}
+
 /// Samples curves without cutting them. `flat` is the number of outlines without a width that were removed.
 Expected<LoadedFile> samples_of(CurveSet curves, const SamplingRequest& wanted, const std::string& name, ReadJob& job,
-                                std::size_t flat) {
+                                std::size_t flat, const MapPlaces& places) {
   if (flat != 0 && curves.is_empty()) return bad_input(about_flat(flat, true), name, 1, 1);
   if (const std::string fault = about_far_vertex(curves); !fault.empty())
     return bad_input("of the samples, " + fault, name, 1, 1);
@@ -85,6 +109,7 @@ Expected<LoadedFile> samples_of(CurveSet curves, const SamplingRequest& wanted, 
   auto samples = sample(curves, request, {}, job.control());
   if (!samples) return bad_input(samples.error().text, name, 1, 1);
   if (samples->positions.empty()) return bad_input("there is nothing in it to take samples of", name, 1, 1);
+  smooth_at(places.added, curves);
   auto data = taken_from(std::make_shared<const CurveSet>(std::move(curves)), *std::move(samples), request);
   if (!data) return bad_input(data.error().text, name, 1, 1);
   LoadedFile file;
@@ -99,17 +124,17 @@ Expected<LoadedFile> load_samples(CurveSet curves, const SamplingRequest& wanted
                                   ReadJob& job) {
   const std::size_t flat = remove_cuts(
       curves, [](Vec2) { return false; }, job);
-  return samples_of(std::move(curves), wanted, name, job, flat);
+  return samples_of(std::move(curves), wanted, name, job, flat, {});
 }
 
-Expected<LoadedFile> load_samples(CurveSet curves, const std::string& name, ReadJob& job,
-                                  const std::function<bool(Vec2)>& on_cut, std::size_t added_vertices) {
-  const std::size_t flat = remove_cuts(curves, on_cut, job);
+Expected<LoadedFile> load_samples(CurveSet curves, const std::string& name, ReadJob& job, const MapPlaces& places) {
+  const std::size_t flat = remove_cuts(
+      curves, [&](Vec2 p) { return holds(places.on_cut, p); }, job);
   const SamplingRequest request = default_sampling(curves);
   std::size_t vertices = curves.points.size();
   for (const PlaneCurve& curve : curves.curves) vertices += curve.piece_count() + (curve.is_closed() ? 0 : 1);
-  vertices -= std::min(vertices, added_vertices);
-  auto file = samples_of(std::move(curves), request, name, job, flat);
+  vertices -= std::min(vertices, places.added.size());
+  auto file = samples_of(std::move(curves), request, name, job, flat, places);
   if (!file || job.takes_vertices() || request.rule != SamplingRule::refined) return file;
   const std::size_t samples = file->data.positions.size();
   if (samples <= vertices) return file;

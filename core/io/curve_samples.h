@@ -3,8 +3,9 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
+#include <set>
 #include <string>
+#include <utility>
 
 #include "core/base/error.h"
 #include "core/curves/sampling.h"
@@ -19,10 +20,15 @@ namespace mes {
 /// a coordinate out of range. Throws `Cancelled`. If the job keeps vertices, these are the samples, whatever is wanted.
 Expected<LoadedFile> load_samples(CurveSet curves, const SamplingRequest& wanted, const std::string& name,
                                   ReadJob& job);
-/// Samples the curves by `default_sampling`. A warning gives the number of samples added between vertices, if any.
-/// Curves are also cut along pieces between positions for which `on_cut` holds. `added_vertices` are not in the file.
-Expected<LoadedFile> load_samples(
-    CurveSet curves, const std::string& name, ReadJob& job,
-    const std::function<bool(Vec2)>& on_cut = [](Vec2) { return false; }, std::size_t added_vertices = 0);
+/// Places on curves of a map.
+struct MapPlaces {
+  std::set<std::pair<double, double>> on_cut{};  ///< curves are also cut along pieces between two of these
+  std::set<std::pair<double, double>> added{};   ///< vertices that are not in the file, since a line is bent there
+};
+
+/// Samples the curves by `default_sampling`. A warning gives the number of samples added between vertices, if any. The
+/// curves that are kept have no corners at added vertices.
+Expected<LoadedFile> load_samples(CurveSet curves, const std::string& name, ReadJob& job,
+                                  const MapPlaces& places = {});
 
 }  // namespace mes

@@ -165,18 +165,21 @@ class MapPlacement {
     constexpr double kMostLines = 4096.0;
     const double step = std::sqrt(8.0 * tolerance_ / std::max(length(image.u), length(image.v)));
     const int lines = static_cast<int>(std::clamp(std::ceil(std::abs(arc.sweep) / step), 1.0, kMostLines));
-    for (int i = 1; i < lines; ++i) curve.line_to(placed(at(arc.start + arc.sweep * i / lines)));
-    added_vertices_ += static_cast<std::size_t>(lines - 1);
+    for (int i = 1; i < lines; ++i) add_vertex(curve, placed(at(arc.start + arc.sweep * i / lines)));
     curve.line_to(placed_to);
   }
 
-  std::size_t added_vertices() const { return added_vertices_; }
-
-  bool is_on_cut(Vec2 p) const { return on_cut_.contains({p.x, p.y}); }
+  /// Images of positions on the 180th meridian, and added vertices.
+  const MapPlaces& places() const { return places_; }
 
  private:
   // Part of the diagonal of the map by which a line may deviate.
   static constexpr double kLeastBend = 1e-5;
+
+  void add_vertex(PlaneCurve& curve, Vec2 at) {
+    curve.line_to(at);
+    places_.added.emplace(at.x, at.y);
+  }
 
   bool is_unchanged() const { return !conversion_ || plane_.projection == MapProjection::none; }
   bool is_azimuthal() const { return conversion_ && plane_.projection == MapProjection::azimuthal; }
@@ -189,7 +192,7 @@ class MapPlacement {
     if (is_azimuthal() && p.x == -half_turn) p.x = half_turn;
     if (is_azimuthal() && std::abs(p.y) == 0.5 * half_turn) p.x = plane_.longitude;
     const Vec2 out = conversion_->to_plane(p);
-    if (may_be_on_cut) on_cut_.emplace(out.x, out.y);
+    if (may_be_on_cut) places_.on_cut.emplace(out.x, out.y);
     return out;
   }
 
@@ -212,8 +215,7 @@ class MapPlacement {
     const bool is_bent = std::abs(cross(along, placed_middle - low)) > tolerance_ * length(along);
     if (deepest == 0 || !is_bent) return;
     split_line(curve, from, middle, placed_middle, deepest - 1);
-    curve.line_to(placed_middle);
-    ++added_vertices_;
+    add_vertex(curve, placed_middle);
     split_line(curve, middle, to, placed_to, deepest - 1);
   }
 
@@ -222,8 +224,7 @@ class MapPlacement {
   std::optional<MapConversion> conversion_{};
   double tolerance_ = 0.0;
   bool splits_ = false;
-  std::size_t added_vertices_ = 0;
-  std::set<std::pair<double, double>> on_cut_{};  // images of positions on the 180th meridian
+  MapPlaces places_{};
 };
 
 void MapShapes::end(Kind kind) {
@@ -435,8 +436,7 @@ Expected<LoadedFile> MapShapes::load(const std::string& name, ReadJob& job) && {
   if (!conversion) return refused(conversion.error());
   MapPlacement placement(chosen->plane, **system, *std::move(conversion));
   CurveSet placed = curves(placement, job);
-  auto file = load_samples(
-      std::move(placed), name, job, [&](Vec2 p) { return placement.is_on_cut(p); }, placement.added_vertices());
+  auto file = load_samples(std::move(placed), name, job, placement.places());
   if (!file) return file;
   file->data.map = chosen->plane;
   if ((*system)->is_geographic) file->degrees = degrees_;

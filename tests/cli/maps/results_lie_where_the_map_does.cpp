@@ -251,3 +251,16 @@ TEST_CASE("a shape around a pole is left out and counted, and those beside it ar
     CHECK(std::abs(point["geometry"]["coordinates"][0].get<double>()) <= 180.0);
   }
 }
+
+TEST_CASE(
+    "long sides that a projection bends have no corner between their ends, so that the axis has no branch there") {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("a.wkt", "SRID=4326;POLYGON ((10 50, 11 50, 11 51, 10 51, 10 50))").string();
+  const auto length_of_axis = [&](std::vector<std::string> options) {
+    std::vector<std::string> command{"compute", file, "--layers", "outline-axis"};
+    command.insert(command.end(), options.begin(), options.end());
+    return Json::parse(well_done(command))["layers"]["outline-axis"]["length"].get<double>();
+  };
+  // Between four vertices alone sides are straight.
+  CHECK(length_of_axis({}) == Approx(length_of_axis({"--vertices"})).epsilon(1e-4));
+}
