@@ -136,12 +136,12 @@ std::unexpected<Error> no_system_for(std::string_view why, const std::string& na
   return std::unexpected(Error{ErrorCode::usage, fmt::format("a coordinate system is given, but {}", why), name});
 }
 
-/// Takes positions of a format without coordinate systems, as a table, as those of the requested system.
-Expected<LoadedFile> in_system(LoadedFile file, const ReadRequest& request, const std::string& name) {
+/// Takes positions of a format without coordinate systems, as a table, as those of the system that is wanted.
+Expected<LoadedFile> in_system(LoadedFile file, const Expected<CoordinateSystem>& system, MapDegrees degrees,
+                               const std::string& name) {
   if (file.session || (file.data.map && is_on_earth(*file.data.map)))
     return no_system_for("this file already says where its plane lies", name);
   if (file.data.positions.empty()) return no_system_for("there are no samples here", name);
-  const auto system = find_coordinate_system(request.system);
   if (!system) return std::unexpected(system.error());
   if (system->is_geographic && file.data.source)
     return no_system_for("curves of drawings have no longitude and latitude", name);
@@ -150,13 +150,13 @@ Expected<LoadedFile> in_system(LoadedFile file, const ReadRequest& request, cons
   if (system->is_geographic && std::ranges::any_of(file.data.positions, is_outside))
     return bad_input(fmt::format("not every sample is a longitude and latitude, as {} needs", system->title()), name,
                      1, 1);
-  auto chosen = choose_plane(file.data.positions, *system, request.degrees);
+  auto chosen = choose_plane(file.data.positions, *system, degrees);
   if (!chosen) return std::unexpected(chosen.error());
   const auto conversion = MapConversion::of(chosen->plane, MapTarget::own_system);
   if (!conversion) return std::unexpected(conversion.error());
   conversion->to_plane(file.data.positions);
   file.data.map = std::move(chosen->plane);
-  if (system->is_geographic) file.degrees = request.degrees;
+  if (system->is_geographic) file.degrees = degrees;
   file.warnings.insert(file.warnings.begin(), Error{ErrorCode::bad_input, chosen->remark, name}.message());
   return file;
 }
@@ -169,7 +169,10 @@ Expected<LoadedFile> read_as(const Format& format, std::string_view bytes, const
   if (!request.system.empty() && format.read_traced) return no_system_for("pictures have none", name);
   auto file = path != nullptr && format.read_beside ? format.read_beside(bytes, name, *path, job)
                                                     : format.read(bytes, name, job);
-  return file && !request.system.empty() ? in_system(*std::move(file), request, name) : std::move(file);
+  if (!file || (request.system.empty() && !file->has_degrees)) return file;
+  const auto system = request.system.empty() ? Expected<CoordinateSystem>(CoordinateSystem{})
+                                             : find_coordinate_system(request.system);
+  return in_system(*std::move(file), system, request.degrees, name);
 }
 
 // Returns the drawing that a file of gzip holds, as .svgz files do; nothing for any other file. The text is at most so

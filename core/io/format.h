@@ -48,6 +48,7 @@ struct LoadedFile {
   /// The whole session if the file is one; `data` is then its last state.
   std::shared_ptr<const Session> session;
   std::optional<MapDegrees> degrees{};  ///< treatment of longitude and latitude; none: the file had none
+  bool has_degrees = false;             ///< a table: its columns are called longitude and latitude, and hold such
   bool is_carried = false;              ///< the session was in a picture or figure (core/io/carried_session.h)
 };
 

@@ -27,7 +27,7 @@ TEST_CASE("the same two points in many ways") {
                               {"# made by hand\n\nX , Y\n# really\n1.5,-2\n\n3,4.25\n", "csv"},
                               {"\"x\",\"y\"\n\"1.5\",\"-2\"\n\"3\",\"4.25\"\n", "csv"},
                               {"name,x,y\n\"a, b\",1.5,-2\n\"say \"\"c\"\"\",3,4.25\n", "csv"},
-                              {"lat,lon\n-2,1.5\n4.25,3\n", "csv"},
+                              {"northing,easting\n-2,1.5\n4.25,3\n", "csv"},
                               {"y,z,x\n-2,9,1.5\n4.25,9,3\n", "csv"},
                               {"east,north,height\n1.5,-2,100\n3,4.25,100\n", "csv"},
                               {"1.5,-2,first,2024-01-01\n3,4.25,,\n", "csv"},

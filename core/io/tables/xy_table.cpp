@@ -115,6 +115,15 @@ std::string word_of(std::string_view field) {
   return lower_case(field.substr(0, 64));
 }
 
+/// Whether these are the names of longitude and latitude.
+bool are_degrees(std::string_view x, std::string_view y) {
+  return (word_of(x) == "lon" || word_of(x) == "longitude") && (word_of(y) == "lat" || word_of(y) == "latitude");
+}
+
+bool are_on_earth(const std::vector<Vec2>& positions) {
+  return std::ranges::all_of(positions, [](Vec2 p) { return std::abs(p.x) <= 180.0 && std::abs(p.y) <= 90.0; });
+}
+
 Columns columns_of(const Fields& header) {
   constexpr std::array<std::string_view, 7> kX{"x", "x1", "lon", "longitude", "easting", "east", "x_coord"};
   constexpr std::array<std::string_view, 7> kY{"y", "y1", "lat", "latitude", "northing", "north", "y_coord"};
@@ -374,10 +383,14 @@ Expected<LoadedFile> read_xy_table(std::string_view bytes, const std::string& na
     announced = parse_count(trimmed(lines.text())).value_or(0);
     announced_line = lines.number();
   }
+  bool has_degrees = false;
+  if (plan.has_header) {
+    split(plan.kind, lines.text(), needed, fields);
+    has_degrees = std::max(columns.x, columns.y) < fields.size() && are_degrees(fields[columns.x], fields[columns.y]);
+  }
   if (columns.is_guess) {
     std::string text = fmt::format("x and y are the first two of {} columns", plan.kind.columns);
     if (plan.has_header) {
-      split(plan.kind, lines.text(), needed, fields);
       text = fmt::format("x and y are the columns {} and {}", in_quotes(fields[columns.x]),
                          in_quotes(fields[columns.y]));
     }
@@ -422,6 +435,7 @@ Expected<LoadedFile> read_xy_table(std::string_view bytes, const std::string& na
     file.warnings.push_back(Error{ErrorCode::bad_input, std::move(text), name, announced_line, 1}.message());
   }
   std::move(grouping).finish(file.data);
+  file.has_degrees = has_degrees && !file.data.positions.empty() && are_on_earth(file.data.positions);
   return file;
 }
 

@@ -29,7 +29,8 @@ std::optional<TableKind> recognise_table(std::string_view bytes);
 /// Reads a table: one sample a row, without `#` lines and blank lines.
 ///
 ///  1. A first line without any number is a header. Columns called x and y (or lon and lat, easting and northing) are
-///     used if present, else the first two that are not row numbers.
+///     used if present, else the first two that are not row numbers. Degrees of columns called lon or longitude and
+///     lat or latitude are marked as such (`LoadedFile::has_degrees`), and become a map on WGS 84.
 ///  2. Columns called contour, ring, polygon, part, path, id ... put rows with the same value on one contour. A contour
 ///     whose last point repeats its first is closed, and the repetition is dropped; if the whole file has no
 ///     repetitions, the name of the column decides. Without such columns, if the last row repeats the first, all rows

@@ -379,3 +379,21 @@ TEST_CASE("curves of WKT are arcs of circles") {
   CHECK(refused("COMPOUNDCURVE (POINT (0 0))") == "a:1:16: expected a curve such as CIRCULARSTRING, found \"POINT\"");
   CHECK(refused("CURVEPOLYGON (COMPOUNDCURVE (COMPOUNDCURVE ((0 0, 1 1))))").starts_with("a:1:30: "));
 }
+
+TEST_CASE("a table whose columns are called longitude and latitude is a map") {
+  const std::string rows = "50.1,8.2,a\n50.2,8.3,b\n50.15,8.5,c\n";
+  for (const char* header : {"lat,lon,name\n", "Latitude,Longitude,name\n"}) {
+    const LoadedFile file = good(read_sample_bytes(header + rows, "a.csv"));
+    REQUIRE(file.data.map);
+    CHECK(file.degrees == MapDegrees::projected);
+    CHECK(distance(degrees_of(file, file.data.positions.at(1)), {8.3, 50.2}) < 1e-9);
+    CHECK_THAT(file.warnings.at(0), Catch::Contains("degrees are projected to metres about 8.35 E, 50.15 N"));
+  }
+  const LoadedFile kept =
+      good(read_sample_bytes("lat,lon\n50,8\n51,9\n", "a.csv", {}, {.degrees = MapDegrees::kept}));
+  CHECK(kept.data.positions == std::vector<Vec2>{{8, 50}, {9, 51}});
+  // Not by other names, or where one is none.
+  CHECK_FALSE(good(read_sample_bytes("y,x,name\n" + rows, "a.csv")).data.map);
+  CHECK_FALSE(good(read_sample_bytes("lat,lon\n5800000,500000\n50,8\n", "a.csv")).data.map);
+  CHECK(good(read_sample_bytes("lat,lon\n5800000,500000\n", "a.csv")).data.positions.at(0).x == 500000);
+}
