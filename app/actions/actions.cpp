@@ -335,6 +335,8 @@ constexpr auto kHelpRows = std::to_array<Row>({
      "Find a command, layer, bundle, parameter, evolution, shape, recent file or heading of the manual by some "
      "letters of its name or by another word for it",
      "Ctrl+Shift+P Ctrl+K"},
+    {ActionId::open_menus, "open-menus", "Open the menus",
+     "Open the first menu; arrow keys go through the menus, Enter chooses, Esc closes", "F10"},
     {ActionId::help, "help", "Keys and gestures", "Show every key", "? F1"},
     {ActionId::manual, "manual", "Manual",
      "Read and search the manual: keys, layers, parameters, files, the command line", "Shift+F1"},

@@ -152,6 +152,7 @@ enum class ActionId : std::uint8_t {
   classic_keys,
   write_keys,
   command_palette,
+  open_menus,
   help,
   manual,
 };

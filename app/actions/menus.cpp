@@ -75,7 +75,7 @@ std::vector<MenuPart> made_parts() {
       {"Shapes",
        {ActionId::make_shape, ActionId::write_text, ActionId::curves_of_samples, ActionId::mark_corners,
         ActionId::toggle_curves}},
-      {"Help", {ActionId::command_palette, ActionId::help, ActionId::manual}},
+      {"Help", {ActionId::command_palette, ActionId::open_menus, ActionId::help, ActionId::manual}},
       {"Help > Lessons",
        {ActionId::present_lesson, ActionId::export_lesson, ActionId::mark_step, ActionId::toggle_lesson}},
       {"Help", {ActionId::demo}},

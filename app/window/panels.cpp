@@ -366,6 +366,8 @@ void Panels::bind_look(ActionBindings& actions) {
   actions.bind(ActionId::full_screen, {[&window] { window.set_full_screen(!window.is_full_screen()); },
                                        {},
                                        [&window] { return window.is_full_screen(); }});
+  actions.bind(ActionId::open_menus, {[this] { opens_menus_ = true; },
+                                      {[this] { return are_shown_; }, "the menus are hidden, with the panels"}});
   actions.bind(ActionId::projector_mode, {[&settings] { settings.for_projector = !settings.for_projector; },
                                           {},
                                           [&settings] { return settings.for_projector; }});
@@ -447,7 +449,7 @@ Panels::Sides Panels::draw_around() {
   const float unit = uses_.screen.gui.unit();
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   Sides out;
-  out.top = menu_bar_.draw();
+  out.top = menu_bar_.draw(std::exchange(opens_menus_, false));
   out.bottom = status_bar_.height();
   status_bar_.draw({{0, screen.y - out.bottom}, {screen.x, out.bottom}});
   const float height = screen.y - out.top - out.bottom;

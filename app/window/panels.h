@@ -144,6 +144,7 @@ class Panels {
   ExperimentsPanel experiments_panel_;
   SideColumn column_;
   StepEvents step_events_;
+  bool opens_menus_ = false;  // the first menu, with the next frame
   bool are_shown_ = true;
   bool were_shown_ = true;  // state before the presentation
   bool was_full_screen_ = false;

@@ -55,10 +55,12 @@ void WindowInput::on_pointer_moved(Vec2 px, Modifiers modifiers) {
 }
 
 void WindowInput::follow_pointer(Vec2 px, Modifiers modifiers) {
-  if (uses_.canvas.has_pointer() || !uses_.screen.gui.wants_pointer(px))
+  if (uses_.canvas.has_pointer() || !uses_.screen.gui.wants_pointer(px)) {
+    is_on_panel_ = false;
     uses_.canvas.move(px, modifiers);
-  else
+  } else {
     uses_.canvas.leave();
+  }
 }
 
 void WindowInput::on_pointer_left() {
@@ -80,8 +82,10 @@ void WindowInput::press(PointerButton button, Vec2 px, Modifiers modifiers) {
   if (uses_.canvas.has_pointer()) return;
   if (uses_.screen.gui.wants_pointer(px)) {
     waits_for_panels_ = is_panel_pressed_ = true;
+    is_on_panel_ = !uses_.screen.gui.has_popup();
     return;
   }
+  is_on_panel_ = false;
   uses_.messages.clear_remark();
   pressed_px_ = px;
   uses_.canvas.press(button, px, modifiers);
@@ -170,6 +174,14 @@ bool WindowInput::is_refused_by_gesture(ActionId action) {
   return true;
 }
 
+bool WindowInput::is_refused_on_panel(ActionId action) {
+  const bool is_nudge = action >= ActionId::first_nudge && action <= ActionId::last_nudge;
+  if (!is_nudge || !is_on_panel_ || uses_.selection.is_empty() || uses_.presenter.is_on()) return false;
+  uses_.messages.refusal(descriptor_of(action).name +
+                         " is not possible now: the pointer is on a panel that was clicked, not on the drawing");
+  return true;
+}
+
 void WindowInput::run_by_key(const KeyChord& chord, bool repeated) {
   const auto action = action_of(chord);
   // The record key ends a recording even during a question.
@@ -179,7 +191,7 @@ void WindowInput::run_by_key(const KeyChord& chord, bool repeated) {
   DocumentFiles& files = uses_.documents.files();
   if (chord.symbol == key::escape && !uses_.canvas.has_pointer() && files.is_reading()) return files.cancel_reading();
   if (!action || (repeated && !descriptor_of(*action).repeats)) return;
-  if (is_refused_by_gesture(*action)) return;
+  if (is_refused_by_gesture(*action) || is_refused_on_panel(*action)) return;
   uses_.messages.clear_refusal();
   if (!uses_.actions.run(*action)) {
     // A pressed key without effect must give the reason, because no menu shows that the action is disabled.

@@ -78,6 +78,8 @@ class WindowInput final : private WindowListener {
   /// Delivers the key again in the next frame, when the list or field is closed.
   void come_again(const KeyChord& chord, bool repeated);
   bool is_refused_by_gesture(ActionId action);
+  /// Arrow keys are not for the drawing while the pointer is on a panel that was clicked, such as a list.
+  bool is_refused_on_panel(ActionId action);
 
   Uses uses_;
   EventQueue events_;
@@ -91,6 +93,7 @@ class WindowInput final : private WindowListener {
   std::optional<Click> click_;     // the last click on the canvas
   bool waits_for_panels_ = false;  // a press may give a field the keyboard, and a release may end a control's drag
   bool is_panel_pressed_ = false;  // a button of the mouse went down over the panels
+  bool is_on_panel_ = false;       // the last press was on a panel, and the pointer has not left it since
   bool has_come_again_ = false;    // the present key was delivered again
   bool ends_recording_ = false;    // such a key is waiting in the queue
   bool is_update_held_ = false;

@@ -225,7 +225,7 @@ bool exceeds(const GridPaths& area, const GridPaths& part, double width) {
 
 }  // namespace
 
-FilledArea nonzero_area(std::vector<PlaneCurve> curves, double grid) {
+FilledArea nonzero_area(std::vector<PlaneCurve> curves) {
   FilledArea out;
   std::vector<const PlaneCurve*> closed;
   for (const PlaneCurve& curve : curves)
@@ -243,6 +243,9 @@ FilledArea nonzero_area(std::vector<PlaneCurve> curves, double grid) {
   };
   const auto is_simple = [](const PlaneCurve* curve) { return is_surely_simple(*curve); };
   if (closed.empty() || (std::ranges::all_of(closed, is_simple) && !touch_each_other(closed))) return as_given(false);
+  const Box2 box = bounds_of(curves);
+  const double grid =
+      clip_grid(std::max({std::abs(box.low.x), std::abs(box.low.y), std::abs(box.high.x), std::abs(box.high.y)}));
   if (!ClipRegion::fits(curves, grid)) return as_given(true);
   FlatCurves subject(grid);
   GridPaths paths;

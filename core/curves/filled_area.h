@@ -2,7 +2,7 @@
 // Areas that are filled by the nonzero rule, as curves that enclose them by the even-odd rule, too.
 //
 // Smallest use:
-//     auto area = nonzero_area(std::move(curves), clip_grid(100.0));
+//     auto area = nonzero_area(std::move(curves));
 //     if (area.is_changed) use(area.curves);
 #pragma once
 
@@ -20,9 +20,9 @@ struct FilledArea {
 
 /// The area that closed curves enclose by the nonzero rule. Where the even-odd rule gives the same area, the curves are
 /// returned unchanged, to the last bit; otherwise the boundary of the area consists of parts of them, as in
-/// core/curves/clip_region.h, and open curves follow. `grid` as there; curves that do not fit are unknown.
+/// core/curves/clip_region.h, and open curves follow.
 ///
 /// Cost: O(n log n) for n pieces where none crosses another; otherwise that of Clipper, for at most a second.
-FilledArea nonzero_area(std::vector<PlaneCurve> curves, double grid);
+FilledArea nonzero_area(std::vector<PlaneCurve> curves);
 
 }  // namespace mes

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "core/base/rng.h"
-#include "core/curves/clip_region.h"
 #include "core/curves/filled_area.h"
 #include "tests/curves/curve_parts.h"
 
@@ -72,8 +71,6 @@ PlaneCurve star(Vec2 center, double radius, int corners, int step) {
   return polygon(points);
 }
 
-const double kAreaGrid = clip_grid(24);
-
 }  // namespace
 
 TEST_CASE("what random curves enclose by the nonzero rule is enclosed by the even-odd rule, too") {
@@ -94,7 +91,7 @@ TEST_CASE("what random curves enclose by the nonzero rule is enclosed by the eve
         }
       }
     }
-    const FilledArea area = nonzero_area(curves, kAreaGrid);
+    const FilledArea area = nonzero_area(curves);
     REQUIRE_FALSE(area.is_unknown);
     changed += area.is_changed ? 1 : 0;
     if (!area.is_changed) CHECK(area.curves == curves);
@@ -105,7 +102,7 @@ TEST_CASE("what random curves enclose by the nonzero rule is enclosed by the eve
 
 TEST_CASE("curves are unchanged where both rules give the same area") {
   const auto stay = [](const std::vector<PlaneCurve>& curves) {
-    const FilledArea area = nonzero_area(curves, kAreaGrid);
+    const FilledArea area = nonzero_area(curves);
     return !area.is_changed && !area.is_unknown && area.curves == curves;
   };
   const auto square = [](double low, double high, bool is_reverse) {
@@ -128,13 +125,13 @@ TEST_CASE("curves within an area that is filled go, and the others stay to the l
   const PlaneCurve island = circle_around({0, 0}, 2);
   const PlaneCurve within_island = circle_around({0, 0}, 1);
   const PlaneCurve line = polygon({{-9, 9}, {9, 9}}, false);
-  const FilledArea area = nonzero_area({outer, hole, line, island, within_island}, kAreaGrid);
+  const FilledArea area = nonzero_area({outer, hole, line, island, within_island});
   CHECK(area.is_changed);
   CHECK(area.curves == std::vector<PlaneCurve>{outer, hole, island, line});
 }
 
 TEST_CASE("the union of two disks consists of arcs, and curves twice in one place count once") {
-  const FilledArea two = nonzero_area({circle_around({-3, 0}, 5), circle_around({3, 0}, 5)}, kAreaGrid);
+  const FilledArea two = nonzero_area({circle_around({-3, 0}, 5), circle_around({3, 0}, 5)});
   REQUIRE(two.is_changed);
   REQUIRE(two.curves.size() == 1);
   double length = 0.0;
@@ -145,7 +142,7 @@ TEST_CASE("the union of two disks consists of arcs, and curves twice in one plac
   CHECK(length == Approx(4.0 * 5.0 * (kPi - std::acos(3.0 / 5.0))).epsilon(1e-9));
 
   const PlaneCurve triangle = polygon({{0, 0}, {8, 0}, {0, 8}});
-  const FilledArea once = nonzero_area({triangle, triangle}, kAreaGrid);
+  const FilledArea once = nonzero_area({triangle, triangle});
   CHECK(once.is_changed);
   CHECK(once.curves == std::vector<PlaneCurve>{triangle});
 }
@@ -157,7 +154,7 @@ TEST_CASE("curves that cross each other too often are unknown, and stay") {
     curves.push_back(polygon({{at, -11}, {at + 0.1, -11}, {at + 0.1, 11}, {at, 11}}));
     curves.push_back(polygon({{-11, at}, {11, at}, {11, at + 0.1}, {-11, at + 0.1}}));
   }
-  const FilledArea area = nonzero_area(curves, kAreaGrid);
+  const FilledArea area = nonzero_area(curves);
   CHECK(area.is_unknown);
   CHECK(area.curves == curves);
 }

@@ -265,3 +265,40 @@ TEST_CASE("balls and annotations that are hidden are told of, and buttons show t
   constexpr PixelBox kWords{135, 100, 200, 140};
   CHECK(shown.changes(kWords, hidden) > 20);
 }
+
+TEST_CASE("menus are opened and gone through by keys alone") {
+  const House house;
+  house.screen().xdotool("mousemove 500 700");
+  const Screenshot before = house.screen().settled();
+  const Screenshot file = house.press("F10");
+  CHECK(file.changes({0, 24, 130, 300}, before) > 3000);
+  const Screenshot edit = house.press("Right");
+  CHECK(edit.changes({130, 24, 400, 300}, file) > 1000);  // the menu is further to the right
+  CHECK(house.press("Left").changes({0, 24, 420, 600}, file) < 300);
+  house.press("Right");
+  house.press("Down");  // marks Paste: there is nothing to undo and nothing selected
+  house.press("Down");
+  const Screenshot selected = house.press("Return");
+  CHECK(selected.changes(house.samples(), before) > 100);
+  // Esc closes a menu and leaves the selection; then keys are for the drawing again.
+  house.press("F10");
+  CHECK(house.press("Escape").changes(kCanvas, selected) == 0);
+  house.press("Left");
+  CHECK(eventually([&] { return house.window.title().starts_with("* house.poff"); }));
+}
+
+TEST_CASE("arrow keys do not move samples while the pointer is on a panel that was clicked") {
+  const House house;
+  house.screen().xdotool("mousemove 500 700");
+  house.press("ctrl+a");
+  house.screen().click({1010, 219});  // a row of the layers
+  const Screenshot before = house.screen().settled();
+  const Screenshot refused = house.press("Left");
+  CHECK(refused.changes(kStatus, before) > 100);
+  CHECK(refused.changes(kCanvas, before) == 0);
+  CHECK(house.window.title().starts_with("house.poff"));
+  house.screen().xdotool("mousemove 500 700");
+  static_cast<void>(house.screen().settled());
+  house.press("Left");
+  CHECK(eventually([&] { return house.window.title().starts_with("* house.poff"); }));
+}

@@ -12,6 +12,7 @@
 #include "app/picture/paper/canvas_look.h"
 #include "app/ui/screen/theme.h"
 #include "app/ui/widgets/widgets.h"
+#include "imgui_internal.h"
 #include "render/device/convert.h"
 
 namespace mes {
@@ -284,10 +285,18 @@ std::size_t shown_menus(float room) {
 
 }  // namespace
 
-float MenuBar::draw() const {
+float MenuBar::draw(bool opens) const {
   if (!ImGui::BeginMainMenuBar()) return 0.0F;
   const float height = ImGui::GetWindowHeight();
-  const auto draw_menu = [this](const MenuTitle& menu) {
+  ImGuiContext& context = *ImGui::GetCurrentContext();
+  ImGuiWindow& bar = *context.CurrentWindow;
+  if (opens) {
+    ImGui::OpenPopup(kMenus[0].text);
+    bar.NavLastIds[ImGuiNavLayer_Menu] = bar.GetID(kMenus[0].text);  // from there arrow keys go on
+  }
+  const auto draw_menu = [&](const MenuTitle& menu) {
+    // Dear ImGui closes the menu that an arrow key leaves, and only marks the next title.
+    if (context.NavJustMovedToId == ImGui::GetID(menu.text)) ImGui::OpenPopup(menu.text);
     if (!ImGui::BeginMenu(menu.text)) return;
     menu.draw(*this);
     ImGui::EndMenu();
@@ -300,6 +309,11 @@ float MenuBar::draw() const {
     ImGui::EndMenu();
   }
   ImGui::EndMainMenuBar();
+  // In a menu without a marked row an arrow key also asks for the first row, which is not one of the bar.
+  if (context.NavMoveForwardToNextFrame) {
+    context.NavInitRequest = false;
+    context.NavInitResultId = 0;
+  }
   return height;
 }
 

@@ -32,8 +32,8 @@ struct MenuBar {
   std::function<void(const ShippedLesson&)> open_lesson;        ///< the same
   std::function<void(const LayerTextFormat&)> export_geometry;  ///< exports the visible layers
 
-  /// Draws across the window; returns its height in screen coordinates.
-  float draw() const;
+  /// Draws across the window; returns its height in screen coordinates. `opens` opens the first menu.
+  float draw(bool opens) const;
 };
 
 }  // namespace mes

@@ -241,18 +241,20 @@ bool Gui::begin_dialog(const char* id, bool open, ImGuiWindowFlags flags) {
 }
 
 bool Gui::close_popup() {
-  if (!has_popup()) return false;
+  if (ImGui::GetCurrentContext()->OpenPopupStack.Size == 0) return false;
   ImGui::ClosePopupToLevel(ImGui::GetCurrentContext()->OpenPopupStack.Size - 1, true);
   return true;
 }
 
 void Gui::leave_panels() {
   if (wants_text()) ImGui::ClearActiveID();
-  if (has_popup()) ImGui::ClosePopupToLevel(0, true);
+  if (ImGui::GetCurrentContext()->OpenPopupStack.Size > 0) ImGui::ClosePopupToLevel(0, true);
 }
 
 bool Gui::has_popup() const {
-  return ImGui::GetCurrentContext()->OpenPopupStack.Size > 0;
+  // While an arrow key goes from one menu to the next, none is open.
+  const ImGuiContext& context = *ImGui::GetCurrentContext();
+  return context.OpenPopupStack.Size > 0 || context.NavMoveForwardToNextFrame || context.NavMoveSubmitted;
 }
 
 }  // namespace mes

@@ -94,7 +94,7 @@ void SvgShapeQueue::finish(SvgShape& shape) {
   shape.is_off_page = lie_off(page_, curves);
   bool is_even_odd = shape.context.fills_even_odd;
   if (shape.context.is_filled() && !is_even_odd && !curves.empty()) {
-    FilledArea area = nonzero_area(std::move(curves), grid_);
+    FilledArea area = nonzero_area(std::move(curves));
     curves = std::move(area.curves);
     shape.overlaps_itself = is_even_odd = area.is_changed;
     shape.may_overlap_itself = area.is_unknown;
