@@ -75,7 +75,7 @@ Panels::Panels(const Uses& uses)
                        uses.messages),
       curves_panel_(uses.screen.gui, uses.actions, uses.work.curve_sampler()),
       branches_panel_({uses.screen.gui, uses.work.insight().branches, uses.board.canvas(), uses.work.editor(),
-                       uses.work.computation(),
+                       uses.work.layers(), uses.work.computation(),
                        [&flow = uses.documents](std::string csv) { flow.ask_table("branches", std::move(csv)); }}),
       persistence_panel_(
           {uses.screen.gui, uses.work.insight().persistence, uses.board.canvas(), uses.work.editor(),

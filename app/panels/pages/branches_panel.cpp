@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "app/panels/on_canvas/marks/shape_pen.h"
+#include "app/picture/paper/scale_drawing.h"
 #include "app/ui/screen/theme.h"
 #include "app/ui/widgets/paragraph.h"
 #include "app/ui/widgets/plot.h"
@@ -141,7 +142,9 @@ void BranchesPanel::draw_diagram(float height, bool is_large) {
     if (ImGui::RadioButton(label, diagram_ == diagram)) diagram_ = diagram;
     tooltip(uses_.gui, explanation);
   };
-  choice("Lambda", Diagram::lambda, "Length of the whole axis by its lambda; drag the line to set the limit");
+  choice("Lambda", Diagram::lambda,
+         "Length of the whole axis by its lambda; drag the line to set the limit of the lambda medial axis, which is "
+         "then shown");
   ImGui::SameLine(0, 8 * unit);
   choice("Radius", Diagram::radius, "Length of the whole axis by the radius of its balls");
   ImGui::SameLine(0, 8 * unit);
@@ -176,7 +179,8 @@ void BranchesPanel::draw_widths(float height, bool is_large) {
   hit_area("widths", size);
   const double length = stations.back().along > 0.0 ? stations.back().along : 1.0;
   const double widest = std::ranges::max(stations, {}, &Station::width).width;
-  const Plot plot(uses_.gui, {at, size}, {0.0, length, "station"}, {0.0, 1.1 * widest, "width"}, is_large);
+  const Plot plot(uses_.gui, {at, size}, {0.0, length, with_unit("station")}, {0.0, 1.1 * widest, with_unit("width")},
+                  is_large);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   plot.draw_frame(list);
   std::vector<ImVec2> line;
@@ -193,6 +197,11 @@ void BranchesPanel::draw_widths(float height, bool is_large) {
   list.AddText({fits ? x + 4 * unit : x - 4 * unit - width, plot.inside().at.y}, Plot::kInk, words.c_str());
   if (ImGui::IsItemHovered() || ImGui::IsItemActive()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
   if (uses_.latest.is_current()) draw_transect(here);
+}
+
+std::string BranchesPanel::with_unit(std::string_view title) const {
+  const std::string unit = unit_of_lengths(uses_.editor.document());
+  return unit.empty() ? std::string(title) : fmt::format("{} ({})", title, unit);
 }
 
 void BranchesPanel::draw_transect(const Station& at) const {
@@ -221,7 +230,7 @@ void BranchesPanel::draw_histogram(float height, bool is_large) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const double most = *std::ranges::max_element(histogram_.lengths);
   // Square roots keep short parts, such as spurious branches, visible beside long ones.
-  const Plot plot(uses_.gui, {at, size}, {0.0, histogram_.high, shows_lambda ? "lambda" : "radius"},
+  const Plot plot(uses_.gui, {at, size}, {0.0, histogram_.high, with_unit(shows_lambda ? "lambda" : "radius")},
                   {0.0, most, "length of the axis (scale of square roots)", true}, is_large);
   plot.draw_frame(list);
   ComputationSettings settings = uses_.computation.settings();
@@ -239,6 +248,10 @@ void BranchesPanel::draw_histogram(float height, bool is_large) {
   }
   const float mouse = ImGui::GetIO().MousePos.x;
   if (shows_lambda) {
+    // The limit has no effect on what is hidden.
+    if (ImGui::IsItemActivated())
+      if (const LayerIndex layer = uses_.layers.find("lambda-medial-axis"); layer != kNoLayer)
+        uses_.layers.set_visible(layer, true);
     if (ImGui::IsItemActive()) {
       limit = plot.x_at(mouse);
       if (settings != uses_.computation.settings()) uses_.computation.set(settings);

@@ -5,12 +5,14 @@
 
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/canvas/canvas.h"
 #include "app/editing/editor.h"
 #include "app/insight/computation_control.h"
 #include "app/insight/latest_branches.h"
+#include "app/layers/layer_stack.h"
 #include "app/ui/screen/gui.h"
 
 namespace mes {
@@ -24,6 +26,7 @@ class BranchesPanel {
     LatestBranches& latest;
     Canvas& canvas;
     const Editor& editor;
+    LayerStack& layers;
     ComputationControl& computation;
     std::function<void(std::string)> export_csv{};  ///< asks for a file for the CSV text
   };
@@ -41,6 +44,8 @@ class BranchesPanel {
   void draw_histogram(float height, bool is_large);
   void draw_widths(float height, bool is_large);
   void draw_transect(const Station& at) const;
+  /// "width (mm)", or the title alone without a unit.
+  std::string with_unit(std::string_view title) const;
   void draw_table();
   void draw_row(std::size_t row);
   void draw_branch(std::size_t row, bool is_chosen) const;

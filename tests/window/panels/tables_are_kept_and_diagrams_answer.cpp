@@ -165,6 +165,17 @@ TEST_CASE("how much of the shape is kept can be measured") {
   CHECK(after.changes({943, 114, 1238, 770}, before) > 20);
 }
 
+TEST_CASE("dragging the limit of lambda shows the axis that it limits") {
+  const Page page("shift+b", output_of(std::string(MESECINA_BINARY) + " shape gear --samples 300"));
+  const Screenshot before = page.at_rest();
+  // A press in the histogram sets the limit to a third of the greatest lambda.
+  page.screen().click({1050, 280});
+  const Screenshot after = page.at_rest();
+  CHECK(after.changes(kCanvas, before) > 300);  // the limited axis has colours of its own
+  page.window.press("ctrl+z");
+  CHECK(page.at_rest().changes(kCanvas, before) == 0);
+}
+
 TEST_CASE("the chosen row of the table of branches looks like no other, with the pointer on it or away") {
   const Page page("shift+b", output_of(std::string(MESECINA_BINARY) + " shape gear --samples 300"));
   constexpr int kRow = 19;
