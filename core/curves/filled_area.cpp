@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
+#include <numbers>
 #include <numeric>
 #include <span>
 #include <utility>
@@ -37,23 +39,48 @@ bool overlap_inside(const Box2& a, const Box2& b) {
   return a.low.x < b.high.x && b.low.x < a.high.x && a.low.y < b.high.y && b.low.y < a.high.y;
 }
 
-/// An upper bound of the angle by which the tangent of a piece turns, in radians; of no use for arcs.
+double angle_of_turn(Vec2 a, Vec2 b) {
+  return std::abs(std::atan2(cross(a, b), dot(a, b)));
+}
+
+/// An upper bound of the angle by which the tangent of a piece turns, in radians: that by which its control polygon
+/// turns. Infinite for arcs.
 double turning_of(const Piece& piece) {
-  const auto angle = [](Vec2 a, Vec2 b) { return std::abs(std::atan2(cross(a, b), dot(a, b))); };
-  const auto& p = piece.points;
-  switch (piece.kind) {
-    case PieceKind::line: return 0.0;
-    case PieceKind::quadratic: return angle(p[1] - p[0], p[2] - p[1]);
-    case PieceKind::cubic: return angle(p[1] - p[0], p[2] - p[1]) + angle(p[2] - p[1], p[3] - p[2]);
-    case PieceKind::arc: return std::abs(piece.arc.sweep);
+  if (piece.kind == PieceKind::arc) return std::numeric_limits<double>::infinity();
+  const std::size_t last = piece.kind == PieceKind::line ? 1 : (piece.kind == PieceKind::quadratic ? 2 : 3);
+  double out = 0.0;
+  Vec2 before{};
+  for (std::size_t i = 0; i < last; ++i) {
+    const Vec2 leg = piece.points[i + 1] - piece.points[i];
+    if (leg == Vec2{}) continue;
+    if (before != Vec2{}) out += angle_of_turn(before, leg);
+    before = leg;
   }
-  return 0.0;
+  return out;
+}
+
+/// Whether the pieces are arcs of one ellipse that go around it once, up to rounding.
+bool is_ellipse(const PlaneCurve& curve) {
+  constexpr double kRounding = 1e-9;
+  const std::vector<EllipticArc>& arcs = curve.arcs();
+  if (arcs.empty() || arcs.size() != curve.piece_count()) return false;
+  const double most = kRounding * (length(arcs[0].u) + length(arcs[0].v));
+  const auto are_near = [most](Vec2 a, Vec2 b) { return std::abs(a.x - b.x) <= most && std::abs(a.y - b.y) <= most; };
+  double sweep = 0.0;
+  for (const EllipticArc& arc : arcs) {
+    const bool is_of_first =
+        are_near(arc.center, arcs[0].center) && are_near(arc.u, arcs[0].u) && are_near(arc.v, arcs[0].v);
+    if (!is_of_first || arc.sweep * arcs[0].sweep <= 0.0) return false;
+    sweep += std::abs(arc.sweep);
+  }
+  return sweep <= 2.0 * std::numbers::pi * (1.0 + kRounding);
 }
 
 /// Whether a closed curve of few pieces surely neither crosses itself nor goes around twice: pieces that do not follow
 /// each other lie in boxes of their own, or are lines apart from each other, and two that do turn by less than half a
 /// circle.
 bool is_surely_simple(const PlaneCurve& curve) {
+  if (is_ellipse(curve)) return true;
   constexpr std::size_t kFew = 64;
   constexpr double kHalfTurn = 3.14;
   const std::size_t n = curve.piece_count();
@@ -68,9 +95,7 @@ bool is_surely_simple(const PlaneCurve& curve) {
   });
   for (std::size_t i = 0; i < n; ++i) {
     const std::size_t next = (i + 1) % n;
-    const Vec2 out = pieces[i].last_direction();
-    const Vec2 in = pieces[next].first_direction();
-    const double bend = std::abs(std::atan2(cross(out, in), dot(out, in)));
+    const double bend = angle_of_turn(pieces[i].last_direction(), pieces[next].first_direction());
     if (!(turning[i] + bend + turning[next] < kHalfTurn)) return false;
     for (std::size_t k = i + 2; k < n; ++k) {
       if ((k + 1) % n == i || !overlap_inside(boxes[i], boxes[k])) continue;

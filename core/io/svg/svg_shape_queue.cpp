@@ -93,7 +93,9 @@ void SvgShapeQueue::finish(SvgShape& shape) {
   }
   shape.is_off_page = lie_off(page_, curves);
   bool is_even_odd = shape.context.fills_even_odd;
-  if (shape.context.is_filled() && !is_even_odd && !curves.empty()) {
+  // Basic shapes do not overlap themselves.
+  const bool may_overlap = shape.geometry.kind != SvgGeometry::Kind::other;
+  if (shape.context.is_filled() && !is_even_odd && may_overlap && !curves.empty()) {
     FilledArea area = nonzero_area(std::move(curves));
     curves = std::move(area.curves);
     shape.overlaps_itself = is_even_odd = area.is_changed;
