@@ -238,7 +238,7 @@ void App::turn() {
     screen_.clock.settle();
   }
   const auto fade = panels_.next_due(ImGui::GetTime());
-  if (screen_.gui.is_fading() || (fade && *fade <= 0.0)) screen_.clock.want(1);
+  if (screen_.gui.is_fading() || screen_.gui.is_changing_menus() || (fade && *fade <= 0.0)) screen_.clock.want(1);
 }
 
 void App::frame() {

@@ -21,6 +21,7 @@
 #include "core/curves/corners.h"
 #include "core/curves/cuts.h"
 #include "core/curves/feature_field.h"
+#include "core/curves/filled_area.h"
 #include "core/curves/interpolation/b_spline.h"
 #include "core/curves/interpolation/cubic_interpolation.h"
 #include "core/curves/interpolation/smooth_curve.h"
@@ -30,7 +31,9 @@
 #include "core/curves/resolution.h"
 #include "core/curves/sampling.h"
 #include "core/document/commands.h"
+#include "core/document/curve_source.h"
 #include "core/document/live_corners.h"
+#include "core/document/moved_curves.h"
 #include "core/document/taken_samples.h"
 #include "core/document/timeline/history.h"
 #include "core/document/timeline/layer_fold.h"
@@ -61,6 +64,7 @@
 #include "core/structures/filters/paths/axis_paths.h"
 #include "core/structures/filters/paths/branch_pruning.h"
 #include "core/workbench/workbench.h"
+#include "tests/curves/curve_parts.h"
 
 using namespace mes;
 
@@ -768,4 +772,28 @@ TEST_CASE("core/document/live_corners.h") {
   const CurveOrder::Contour& contour = document.curve_order()->contours.front();
   for (const SampleId id : live_corners(document, contour)) use(id);
   CHECK(seen == std::vector<SampleId>{first, last});
+}
+
+TEST_CASE("core/document/moved_curves.h") {
+  Document document;
+  const auto curves = std::make_shared<const CurveSet>(CurveSet{.curves = {test::polygon({{0, 0}, {1, 0}, {0, 1}})}});
+  document.apply(
+      *replace_all(document, {.positions = {{0, 0}, {1, 0}, {0, 1}},
+                              .source = std::make_shared<const CurveSource>(CurveSource{curves, {}, 0, 3})}));
+  std::vector<std::pair<SampleId, Vec2>> targets;
+  for (const SampleSlot slot : document.slots_in_input_order())
+    targets.emplace_back(document.id(slot), document.position(slot) + Vec2{5, 0});
+  DocumentDelta delta = *move_samples(document, targets);
+  if (auto source = source_after_move(document, delta.edits)) delta.source_after = source;
+  REQUIRE(delta.changes_source());
+  CHECK(delta.source_after->curves->curves[0].start() == Vec2{5, 0});
+}
+
+TEST_CASE("core/curves/filled_area.h") {
+  std::vector<PlaneCurve> curves(2, test::polygon({{0, 0}, {1, 0}, {0, 1}}));
+  std::vector<PlaneCurve> used;
+  const auto use = [&](std::vector<PlaneCurve> area) { used = std::move(area); };
+  auto area = nonzero_area(std::move(curves));
+  if (area.is_changed) use(area.curves);
+  CHECK(used.size() == 1);
 }

@@ -251,10 +251,13 @@ void Gui::leave_panels() {
   if (ImGui::GetCurrentContext()->OpenPopupStack.Size > 0) ImGui::ClosePopupToLevel(0, true);
 }
 
-bool Gui::has_popup() const {
-  // While an arrow key goes from one menu to the next, none is open.
+bool Gui::is_changing_menus() const {
   const ImGuiContext& context = *ImGui::GetCurrentContext();
-  return context.OpenPopupStack.Size > 0 || context.NavMoveForwardToNextFrame || context.NavMoveSubmitted;
+  return context.NavMoveForwardToNextFrame || context.NavMoveSubmitted || context.NavJustMovedToId != 0;
+}
+
+bool Gui::has_popup() const {
+  return ImGui::GetCurrentContext()->OpenPopupStack.Size > 0 || is_changing_menus();
 }
 
 }  // namespace mes
