@@ -34,7 +34,7 @@ bool may_meet(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
   return side_of(a, b, c) * side_of(a, b, d) <= 0 && side_of(c, d, a) * side_of(c, d, b) <= 0;
 }
 
-/// Boxes that only touch hold pieces that only touch.
+/// Pieces in boxes that only touch do not cross.
 bool overlap_inside(const Box2& a, const Box2& b) {
   return a.low.x < b.high.x && b.low.x < a.high.x && a.low.y < b.high.y && b.low.y < a.high.y;
 }
@@ -43,8 +43,7 @@ double angle_of_turn(Vec2 a, Vec2 b) {
   return std::abs(std::atan2(cross(a, b), dot(a, b)));
 }
 
-/// An upper bound of the angle by which the tangent of a piece turns, in radians: that by which its control polygon
-/// turns. Infinite for arcs.
+/// The angle in radians by which the control polygon of a piece turns; its tangent turns by no more. Infinite for arcs.
 double turning_of(const Piece& piece) {
   if (piece.kind == PieceKind::arc) return std::numeric_limits<double>::infinity();
   const std::size_t last = piece.kind == PieceKind::line ? 1 : (piece.kind == PieceKind::quadratic ? 2 : 3);
@@ -76,9 +75,8 @@ bool is_ellipse(const PlaneCurve& curve) {
   return sweep <= 2.0 * std::numbers::pi * (1.0 + kRounding);
 }
 
-/// Whether a closed curve of few pieces surely neither crosses itself nor goes around twice: pieces that do not follow
-/// each other lie in boxes of their own, or are lines apart from each other, and two that do turn by less than half a
-/// circle.
+/// True only if the curve does not cross itself. Two successive pieces that turn by less than half a circle together do
+/// not cross, and neither do pieces whose boxes do not overlap. False also for curves of more than 64 pieces.
 bool is_surely_simple(const PlaneCurve& curve) {
   if (is_ellipse(curve)) return true;
   constexpr std::size_t kFew = 64;
@@ -140,8 +138,7 @@ class Sides {
         [](std::uint32_t, std::uint32_t) {});
   }
 
-  /// How many pairs of sides that do not follow each other may meet; counting ends at `most`. Sides that go back along
-  /// the side before them count as well.
+  /// Counts pairs of sides that may meet, up to `most`. Successive sides count only if one goes back along the other.
   std::size_t meetings(std::size_t most) const {
     std::size_t out = 0;
     for (std::uint32_t i = 0; i < sides_.size() && out < most; ++i) {
@@ -196,7 +193,8 @@ class Sides {
   BoxTree<std::uint32_t> tree_;
 };
 
-/// How many sides Clipper looks at altogether: at each height of a corner those there, once more for each low corner.
+/// Estimates how many sides Clipper looks at: at the height of each corner all sides there, and once more for each local
+/// minimum of a path at that height.
 double sweep_cost(const GridPaths& paths) {
   std::vector<ClipperLib::cInt> heights;
   for (const GridPath& path : paths)
@@ -228,6 +226,17 @@ double sweep_cost(const GridPaths& paths) {
   return out;
 }
 
+/// What Clipper may cost: about a second for one shape, and a tenth of a millisecond for each piece, so that the time for
+/// many shapes grows no faster than their file.
+double most_cost(const std::vector<const PlaneCurve*>& curves) {
+  constexpr double kOfSecond = 3e7;
+  constexpr double kOfPiece = 3e3;
+  constexpr double kPiecesGiven = 10.0;
+  double pieces = kPiecesGiven;
+  for (const PlaneCurve* const curve : curves) pieces += static_cast<double>(curve->piece_count());
+  return std::min(kOfSecond, kOfPiece * pieces);
+}
+
 GridPaths united(const GridPaths& paths, ClipperLib::PolyFillType rule) {
   ClipperLib::Clipper clipper(ClipperLib::ioPreserveCollinear);
   clipper.AddPaths(paths, ClipperLib::ptSubject, true);
@@ -236,7 +245,7 @@ GridPaths united(const GridPaths& paths, ClipperLib::PolyFillType rule) {
   return out;
 }
 
-/// Whether an area exceeds another, which is part of it, by more than rounding makes of one side.
+/// Whether an area is larger than a part of it by more than slivers of this width.
 bool exceeds(const GridPaths& area, const GridPaths& part, double width) {
   if (area == part) return false;
   ClipperLib::Clipper clipper;
@@ -293,8 +302,7 @@ FilledArea nonzero_area(std::vector<PlaneCurve> curves) {
     }
     return changed();
   }
-  constexpr double kMostCost = 3e7;
-  if (meetings > kMostMeetings || sweep_cost(paths) > kMostCost) return as_given(true);
+  if (meetings > kMostMeetings || sweep_cost(paths) > most_cost(closed)) return as_given(true);
   const GridPaths area = united(paths, ClipperLib::pftNonZero);
   const double width = 4.0 + 2.0 * subject.tolerance();
   if (!exceeds(area, united(paths, ClipperLib::pftEvenOdd), width)) return as_given(false);

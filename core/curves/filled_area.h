@@ -22,7 +22,8 @@ struct FilledArea {
 /// returned unchanged, to the last bit; otherwise the boundary of the area consists of parts of them, as in
 /// core/curves/clip_region.h, and open curves follow.
 ///
-/// Cost: O(n log n) for n pieces where none crosses another; otherwise that of Clipper, for at most a second.
+/// Cost: O(n log n) for n pieces where none crosses another, otherwise that of Clipper. Where this would take more than
+/// about a second, or a tenth of a millisecond for each piece, the area is unknown.
 FilledArea nonzero_area(std::vector<PlaneCurve> curves);
 
 }  // namespace mes
