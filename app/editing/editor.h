@@ -26,8 +26,8 @@ namespace mes {
 ///  1. Every change of the document is made here, and reaches the index, the selection and the listener once, in
 ///     order. A refused command changes nothing.
 ///  2. A gesture, however many commands it runs, is one step of undo; a cancelled gesture leaves no step. Source curves
-///     follow at its end if it has done nothing but move all their samples alike (core/document/moved_curves.h); they go when these are
-///     removed.
+///     whose samples it has moved alike, and done nothing else, follow at its end (core/document/moved_curves.h). They
+///     are removed with the last of their samples.
 ///  3. The timeline records each change once and in order; replaying it gives this document and this history.
 ///  4. Given coordinates that are negligible beside the others of the document (core/base/geometry/coordinate_range.h) are set
 ///     to zero; other numbers out of range are refused.

@@ -74,8 +74,7 @@ std::optional<Affine> common_map(std::span<const Move> moves) {
   return map && maps_all(*map, moves) ? map : std::nullopt;
 }
 
-/// Whether a condition holds for all samples of the curves that are left. O(samples until the first for which it does
-/// not hold).
+/// Whether a condition holds for all live samples of the curves. Ends at the first for which it does not.
 template <class Condition>
 bool holds_for_all(const Document& document, Condition condition) {
   const CurveSource& source = *document.source();
@@ -117,7 +116,7 @@ class MovedCurves {
   }
 
  private:
-  /// Empty unless all samples of the curves that are left have moved.
+  /// Empty unless all live samples of the curves have moved.
   std::vector<Move> moves_of_all() const {
     std::vector<Move> out;
     if (!holds_for_all(document_, [&](SampleId id) { return moves_.contains(id); })) return out;
@@ -125,7 +124,7 @@ class MovedCurves {
     return out;
   }
 
-  /// Empty unless all samples of the contour that are left have moved.
+  /// Empty unless all live samples of the contour have moved.
   std::vector<Move> moves_of(const CurveOrder::Contour& contour) const {
     std::vector<Move> out;
     for (const SampleId id : contour.samples) {

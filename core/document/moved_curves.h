@@ -16,13 +16,12 @@ namespace mes {
 
 class Document;
 
-/// The document's curves after these edits, if they move samples and do nothing else: a curve whose samples have all
-/// moved, by one affine map, is moved by the same map. Up to three samples of a curve have moved by one map only if all
-/// have moved by the same vector. If a contour cannot be matched with its curve, all curves move or none. Null if no
-/// curve moves. O(samples of the curves) if those of a curve have all moved, else O(edits, contours).
+/// The document's curves after edits that only move samples. One affine map that has moved all live samples of a curve
+/// moves the curve, too; for up to three samples it must be a translation. Where contours no longer correspond to the
+/// curves, all curves move or none. Null if no curve moves, or for other edits. O(samples of the curves) if those of a curve have all moved, else O(edits, contours).
 std::shared_ptr<const CurveSource> source_after_move(const Document& document, std::span<const SampleEdit> edits);
 
-/// Whether the document has curves whose samples, as far as they are left, are all among these. O(samples named, and
+/// Whether the document has curves, and all their live samples are among these. O(samples named, and
 /// samples of the curves that were removed earlier).
 bool are_all_of_source(const Document& document, std::span<const SampleId> samples);
 

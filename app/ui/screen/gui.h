@@ -48,7 +48,7 @@ class Gui {
   bool is_about_to_rest() const;
   /// True while the dimming behind a dialog appears or disappears: another frame is needed without an event.
   bool is_fading() const;
-  /// True while an arrow key goes from one menu to the next, and none is open: another frame is needed without an event.
+  /// True while an arrow key goes from one menu to the next: another frame is needed without an event.
   bool is_changing_menus() const;
   /// True while a field takes typed text.
   bool wants_text() const;

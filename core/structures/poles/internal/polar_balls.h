@@ -36,7 +36,7 @@ class PolarBalls final : public VoronoiBalls {
 
   /// True for a ball that represents a pole at infinity, or beyond the reach.
   bool is_far(FamilySlot row) const { return row.index() >= delaunay_.face_rows(); }
-  /// Returns the pole that the ball represents: a face or `kInfinitePole`, or kNoSlot where there is no ball.
+  /// The pole of the ball: a face, `kInfinitePole`, or kNoSlot in a row without a ball.
   FaceSlot pole_of(FamilySlot row) const {
     if (!is_far(row)) return face_of(row);
     const SiteSlot site = site_of(row);
