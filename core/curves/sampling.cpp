@@ -192,8 +192,14 @@ void add_vertices(const PlaneCurve& curve, Collector& out) {
     return out.end_curve();
   }
   out.add(curve.start());
+  // Two vertices enclose nothing, so a circle of two arcs also has the middles of its arcs.
+  const std::size_t pieces = curve.piece_count();
+  const std::size_t parts = curve.is_closed() && pieces < 3 ? 4 - pieces : 1;
   // The last sample of a closed curve repeats its start and is removed again.
-  curve.for_each_piece([&](const Piece& piece) { out.add(piece.to()); });
+  curve.for_each_piece([&](const Piece& piece) {
+    for (std::size_t i = 1; i < parts; ++i) out.add(piece.at(static_cast<double>(i) / static_cast<double>(parts)));
+    out.add(piece.to());
+  });
   out.end_curve();
 }
 

@@ -24,7 +24,7 @@
 namespace mes {
 
 enum class SamplingRule : std::uint8_t {
-  vertices,  ///< only the ends of pieces
+  vertices,  ///< only the ends of pieces; of closed curves of one or two pieces also points between them
   spacing,   ///< neighbours are at most `spacing` apart along the curve
   count,     ///< the least spacing that gives at most `count` samples
   adaptive,  ///< at least as dense as `count`: the distance between neighbours is at most `share` of the distance to

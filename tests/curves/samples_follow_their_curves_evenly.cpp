@@ -201,6 +201,27 @@ TEST_CASE("vertices are taken as they are, once each") {
   CHECK(samples.chains[0] == SampledCurves::Chain{true, 0, 5});
 }
 
+TEST_CASE("vertices of a circle of one or two arcs enclose an area") {
+  for (const int arcs : {1, 2}) {
+    PlaneCurve circle({5, 0});
+    for (int i = 0; i < arcs; ++i) {
+      const double turn = 2.0 * kPi / arcs;
+      const EllipticArc arc{{0, 0}, {5, 0}, {0, 5}, turn * i, turn};
+      circle.arc_to(arc, i + 1 == arcs ? Vec2{5, 0} : Vec2{-5, 0});
+    }
+    circle.close();
+    const SampledCurves samples = sampled(circle, {.rule = SamplingRule::vertices});
+    REQUIRE(samples.positions.size() == (arcs == 1 ? 3U : 4U));
+    CHECK(samples.chains[0] == SampledCurves::Chain{true, 0, samples.positions.size()});
+    double area = 0.0;
+    for (std::size_t i = 0; i < samples.positions.size(); ++i) {
+      CHECK(distance(samples.positions[i], {0, 0}) == Approx(5.0));
+      area += 0.5 * cross(samples.positions[i], samples.positions[(i + 1) % samples.positions.size()]);
+    }
+    CHECK(area == Approx(arcs == 1 ? 25.0 * 0.75 * std::sqrt(3.0) : 50.0));
+  }
+}
+
 TEST_CASE("points and curves without length are samples without a chain") {
   PlaneCurve dot({7, 7});
   dot.close();
