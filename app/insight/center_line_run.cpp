@@ -185,7 +185,7 @@ Expected<CenterLines> compute_center_lines(const Registry& registry, const Sampl
   bench.set_on_task(on_task);
   if (auto good = bench.run_or_throw(job); !good) return std::unexpected(good.error());
   const auto& crust = bench.get<OneStepCrust>();
-  const auto branches = [&] { return branches_of(lambda, bench.get<InnerBalls>(), lambda, angle); };
+  const auto branches = [&] { return branches_of(lambda, bench.get<InnerBalls>(), lambda, angle, kLeastBranch); };
   CenterLines out = wish.is_exact ? center_lines_of(outline, wish.request, job)
                                   : center_lines_of(lambda, crust, branches(), wish.request, job);
   if (out.unjoined != 0 && out.lines.empty())

@@ -17,8 +17,10 @@ bool LatestBranches::follow(const State& wanted, const std::function<SampleData(
   if (chosen_ && latest_.result() != before) {
     const AxisBranch& old = before->branches[*chosen_];
     const std::vector<AxisBranch>& now = table()->branches;
+    // Another filter may contract other short branches at an end.
+    const double near = kLeastBranch * old.radius_largest;
     const auto same = std::ranges::find_if(now, [&](const AxisBranch& branch) {
-      return branch.from.place == old.from.place && branch.to.place == old.to.place;
+      return distance(branch.from.place, old.from.place) <= near && distance(branch.to.place, old.to.place) <= near;
     });
     chosen_ = same == now.end() ? std::nullopt : std::optional(static_cast<std::size_t>(same - now.begin()));
   }

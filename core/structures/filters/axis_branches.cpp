@@ -5,8 +5,10 @@
 #include <cmath>
 #include <limits>
 #include <tuple>
+#include <unordered_map>
 #include <utility>
 
+#include "core/base/disjoint_sets.h"
 #include "core/base/sum.h"
 
 namespace mes {
@@ -28,7 +30,14 @@ class Tracer {
         delaunay_(filter.delaunay()),
         is_done_(delaunay_.edge_rows(), 0) {}
 
-  std::vector<AxisBranch> run() {
+  std::vector<AxisBranch> run(double least) {
+    trace_all();
+    if (contract_shorter(least)) trace_all();
+    return std::move(out_);
+  }
+
+ private:
+  void trace_all() {
     // Start from every end of a branch first; what is left then is closed.
     for (const EdgeSlot edge : delaunay_.edge_slots())
       for (int end = 0; end < 2; ++end)
@@ -36,16 +45,61 @@ class Tracer {
     for (const EdgeSlot edge : delaunay_.edge_slots())
       if (is_open(edge)) trace({edge, 0});
     for (const FaceSlot node : delaunay_.face_slots())
-      if (delaunay_.is_finite_face(node) && filter_.is_kept(node) && kept_at(node).empty()) add_point(node);
-    return std::move(out_);
+      if (delaunay_.is_finite_face(node) && filter_.is_kept(node) && is_first_of_its_node(node) &&
+          degree_of(node) == 0)
+        add_point(node);
   }
 
- private:
   bool is_open(EdgeSlot edge) const { return filter_.is_kept(edge) && is_done_[edge] == 0; }
-  FaceSlot node_of(const Step& step) const { return balls_.ball(delaunay_.edge(step.edge).f[step.from]); }
+  FaceSlot node_of(const Step& step) const {
+    const FaceSlot node = balls_.ball(delaunay_.edge(step.edge).f[step.from]);
+    const auto at = first_of_.find(node);
+    return at == first_of_.end() ? node : at->second;
+  }
+  bool is_first_of_its_node(FaceSlot node) const {
+    const auto at = first_of_.find(node);
+    return at == first_of_.end() || at->second == node;
+  }
+
+  /// Unites the ends of short branches, and leaves their edges out. Returns whether there were any.
+  bool contract_shorter(double least) {
+    if (!(least > 0.0)) return false;
+    DisjointSets<FaceSlot> nodes;
+    std::vector<FaceSlot> ends;
+    is_done_.assign(delaunay_.edge_rows(), 0);
+    for (const AxisBranch& branch : out_) {
+      const bool is_cut = branch.from.kind == BranchEndKind::cut || branch.to.kind == BranchEndKind::cut;
+      if (is_cut || branch.edges.empty() || branch.length > least * branch.radius_largest) continue;
+      nodes.grow(delaunay_.face_rows());
+      for (const EdgeSlot edge : branch.edges) {
+        is_done_[edge] = 1;
+        for (const int end : {0, 1}) ends.push_back(node_of({edge, end}));
+        nodes.join(nodes.root(ends.back()), nodes.root(*(ends.end() - 2)));
+      }
+    }
+    if (ends.empty()) return false;
+    std::unordered_map<FaceSlot, FaceSlot> first_of_root;
+    const auto order = [&](FaceSlot node) {
+      const Vec2 place = delaunay_.circumcenter(node);
+      return std::tuple(place.x, place.y, delaunay_.circumradius(node));
+    };
+    for (const FaceSlot node : ends) {
+      FaceSlot& first = first_of_root.try_emplace(nodes.root(node), node).first->second;
+      if (order(node) < order(first)) first = node;
+    }
+    for (const FaceSlot node : ends) {
+      const FaceSlot first = first_of_root.at(nodes.root(node));
+      if (!first_of_.try_emplace(node, first).second) continue;
+      std::vector<Step>& ways = ways_[first];
+      for (const Step& step : kept_around(node))
+        if (is_done_[step.edge] == 0) ways.push_back(step);
+    }
+    out_.clear();
+    return true;
+  }
 
   /// Kept edges, leading away from a node, that end there and are not cut before it.
-  std::vector<Step> kept_at(FaceSlot node) const {
+  std::vector<Step> kept_around(FaceSlot node) const {
     std::vector<Step> out;
     const auto add = [&](FaceSlot face) {
       for (const EdgeSlot edge : delaunay_.face(face).e) {
@@ -61,11 +115,21 @@ class Tracer {
     return out;
   }
 
+  /// The same, without contracted edges, at all nodes that are united with it.
+  std::vector<Step> kept_at(FaceSlot node) const {
+    const auto at = ways_.find(node);
+    return at == ways_.end() ? kept_around(node) : at->second;
+  }
+  std::size_t degree_of(FaceSlot node) const {
+    const auto at = ways_.find(node);
+    return at == ways_.end() ? kept_around(node).size() : at->second.size();
+  }
+
   /// The end of the branch where the step begins; `none` if the branch continues.
   AxisBranch::End end_of(const Step& step) const {
     if (filter_.is_cut(step.edge, step.from)) return {filter_.kept_end(step.edge, step.from), BranchEndKind::cut};
     const FaceSlot node = node_of(step);
-    const std::size_t degree = kept_at(node).size();
+    const std::size_t degree = degree_of(node);
     const auto kind =
         degree == 1 ? BranchEndKind::leaf : (degree == 2 ? BranchEndKind::none : BranchEndKind::junction);
     return {delaunay_.circumcenter(node), kind, kind == BranchEndKind::none ? FaceSlot() : node};
@@ -208,7 +272,9 @@ class Tracer {
   const LambdaAxis& lambda_;
   const AngleAxis& angle_;
   const Delaunay& delaunay_;
-  Table<EdgeSlot, std::uint8_t> is_done_;
+  Table<EdgeSlot, std::uint8_t> is_done_;                 // or contracted
+  std::unordered_map<FaceSlot, FaceSlot> first_of_;       // of nodes that are united: the one that stands for all
+  std::unordered_map<FaceSlot, std::vector<Step>> ways_;  // from such nodes
   std::vector<AxisBranch> out_;
 };
 
@@ -227,8 +293,8 @@ Vec2 second_place(const AxisFilter& filter, const AxisBranch& branch) {
 }  // namespace
 
 std::vector<AxisBranch> branches_of(const AxisFilter& filter, const InnerBalls& balls, const LambdaAxis& lambda,
-                                    const AngleAxis& angle) {
-  std::vector<AxisBranch> out = Tracer(filter, balls, lambda, angle).run();
+                                    const AngleAxis& angle, double least) {
+  std::vector<AxisBranch> out = Tracer(filter, balls, lambda, angle).run(least);
   std::ranges::sort(out, [&filter](const AxisBranch& a, const AxisBranch& b) {
     if (a.length != b.length) return a.length > b.length;
     if (a.from.place != b.from.place) return lexicographically_less(a.from.place, b.from.place);

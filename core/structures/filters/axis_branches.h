@@ -39,8 +39,15 @@ struct AxisBranch {
 /// branch begins at its lexicographically smaller end; a closed one at its smallest node, towards the smaller of the
 /// two next to it. The lengths add up to the length of the kept part.
 ///
+/// With `least` above 0, branches that are at most this part of their largest radius long are contracted to points, and
+/// the list is that of the rest: samples of a circle, rounded to doubles, have as many centres as triangles. Branches
+/// that the filter cuts are not contracted.
+///
 /// Cost: O(kept edges), plus the sorting. The filter and its inputs must be up to date.
 std::vector<AxisBranch> branches_of(const AxisFilter& filter, const InnerBalls& balls, const LambdaAxis& lambda,
-                                    const AngleAxis& angle);
+                                    const AngleAxis& angle, double least = 0.0);
+
+/// A value of `least` for lists that people read: far above the rounding of coordinates, far below what is drawn.
+inline constexpr double kLeastBranch = 1e-6;
 
 }  // namespace mes

@@ -65,7 +65,8 @@ void AxisCenterLines::rebuild(JobControl& job) {
   transects_ = {};
   const CenterLineRequest request{
       .least_salience = wish_.pruning, .most = static_cast<std::size_t>(wish_.branches), .between = ends()};
-  CenterLines set = center_lines_of(lambda_, crust_, branches_of(lambda_, balls_, lambda_, angle_), request, job);
+  CenterLines set =
+      center_lines_of(lambda_, crust_, branches_of(lambda_, balls_, lambda_, angle_, kLeastBranch), request, job);
   unjoined_ = set.unjoined;
   smooth(set, kUsualSmoothing);
   double length = 0.0;

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <set>
 #include <vector>
 
+#include "core/base/disjoint_sets.h"
 #include "core/base/rng.h"
 #include "core/structures/filters/axis_branches.h"
 #include "tests/support/shapes/shapes.h"
@@ -18,11 +20,27 @@ using namespace mes::test;
 
 namespace {
 
-std::vector<AxisBranch> branches(const TestBench& bench, bool of_angle = false) {
+std::vector<AxisBranch> branches(const TestBench& bench, bool of_angle = false, double least = 0.0) {
   const auto& lambda = bench.get<LambdaAxis>();
   const auto& angle = bench.get<AngleAxis>();
   return branches_of(of_angle ? static_cast<const AxisFilter&>(angle) : lambda, bench.get<InnerBalls>(), lambda,
-                     angle);
+                     angle, least);
+}
+
+/// Components of the branches, which meet at their nodes. Ends that a filter cuts meet nothing.
+std::int64_t components(const std::vector<AxisBranch>& found) {
+  std::map<FaceSlot, std::size_t> number_of;
+  DisjointSets<RowNumber> sets(3 * found.size());
+  std::set<RowNumber> roots;
+  const auto number = [&](std::size_t i, const AxisBranch::End& end, std::size_t own) {
+    const std::size_t at = 3 * i + own;
+    return static_cast<RowNumber>(end.node == kNoSlot ? at : number_of.try_emplace(end.node, at).first->second);
+  };
+  for (std::size_t i = 0; i < found.size(); ++i)
+    for (const RowNumber end : {number(i, found[i].from, 1), number(i, found[i].to, 2)})
+      sets.join(sets.root(static_cast<RowNumber>(3 * i)), sets.root(end));
+  for (std::size_t i = 0; i < found.size(); ++i) roots.insert(sets.root(static_cast<RowNumber>(3 * i)));
+  return std::ssize(roots);
 }
 
 ComputationSettings limits(double lambda, double angle, bool keep_topology) {
@@ -186,6 +204,73 @@ TEST_CASE("an annulus is one closed branch, two circles are two points, and the 
   const auto b = branches(fresh);
   REQUIRE(a.size() == b.size());
   for (std::size_t i = 0; i < a.size(); ++i) check_same(bench, a[i], fresh, b[i]);
+}
+
+TEST_CASE("circles and a stadium in rounded coordinates have as many branches as their formulas say") {
+  const auto arc = [](std::vector<Vec2>& out, Vec2 middle, double begin, double end) {
+    constexpr int kSteps = 100;
+    for (int i = 0; i < kSteps; ++i) {
+      const double t = std::numbers::pi * (begin + (end - begin) * i / kSteps);
+      out.push_back(middle + Vec2{std::cos(t), std::sin(t)});
+    }
+  };
+  for (const Vec2 offset : {Vec2{0, 0}, Vec2{1e4, -3e4}}) {
+    std::vector<Vec2> samples;
+    arc(samples, offset + Vec2{10, 0}, 0.0, 2.0);
+    arc(samples, offset + Vec2{20, 9}, 0.0, 2.0);
+    arc(samples, offset + Vec2{-1.5, 0}, 0.5, 1.5);
+    for (int i = 0; i < 100; ++i) samples.push_back(offset + Vec2{-1.5 + 0.03 * i, -1});
+    arc(samples, offset + Vec2{1.5, 0}, -0.5, 0.5);
+    for (int i = 0; i < 100; ++i) samples.push_back(offset + Vec2{1.5 - 0.03 * i, 1});
+    TestBench bench;
+    bench.show({"lambda-medial-axis", "angle-medial-axis"});
+    bench.replace(samples);
+    REQUIRE(branches(bench).size() > 10);
+    const std::vector<AxisBranch> found = branches(bench, false, kLeastBranch);
+    REQUIRE(found.size() == 3);
+    CHECK(found[0].length == Approx(3.0));
+    CHECK(found[0].from.kind == BranchEndKind::leaf);
+    CHECK(found[0].to.kind == BranchEndKind::leaf);
+    for (const std::size_t circle : {1U, 2U}) {
+      CHECK(found[circle].edges.empty());
+      CHECK(found[circle].radius_mean == Approx(1.0));
+      CHECK(distance(found[circle].from.place, offset + (circle == 1 ? Vec2{10, 0} : Vec2{20, 9})) < 1e-6);
+    }
+  }
+}
+
+TEST_CASE("contracting short branches keeps components, and leaves longer branches alone") {
+  std::vector<std::vector<Vec2>> inputs;
+  for (const TestShape& shape : oracle_shapes(0.25, {0.3, 0.2, 4})) inputs.push_back(shape.data.positions);
+  for (const DegenerateInput& input : degenerate_inputs()) inputs.push_back(input.positions);
+  Rng rng(4);
+  for (int round = 0; round < 4; ++round) {
+    std::vector<Vec2>& random = inputs.emplace_back();
+    for (int i = 0; i < 200; ++i) random.push_back({rng.uniform(), rng.uniform()});
+  }
+  std::size_t contracted = 0;
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    TestBench bench;
+    bench.show({"lambda-medial-axis", "angle-medial-axis"});
+    bench.replace(inputs[i]);
+    const std::vector<AxisBranch> all = branches(bench);
+    for (const double least : {1e-6, 0.1, 0.5}) {
+      INFO("input " << i << " least " << least);
+      const std::vector<AxisBranch> found = branches(bench, false, least);
+      CHECK(components(found) == bench.count("lambda-axis", "components"));
+      std::set<EdgeSlot> left;
+      for (const AxisBranch& branch : found) {
+        if (!branch.edges.empty()) CHECK(branch.length > least * branch.radius_largest);
+        left.insert(branch.edges.begin(), branch.edges.end());
+      }
+      for (const AxisBranch& branch : all) {
+        const bool is_short = branch.length <= least * branch.radius_largest;
+        for (const EdgeSlot edge : branch.edges) CHECK(left.contains(edge) != is_short);
+        contracted += is_short ? 1 : 0;
+      }
+    }
+  }
+  CHECK(contracted > 300);
 }
 
 TEST_CASE("a closed branch and a loop at a junction go the same way whatever the history") {
