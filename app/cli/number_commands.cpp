@@ -64,8 +64,9 @@ void describe_branches(const Registry& registry, CLI::App& app, BranchesRequest&
   branches->footer(
       "One line for each branch, the longest first: its ends (leaf, junction, cut by the filter, or none of a loop "
       "or a point),\n"
-      "length, radius of its balls, and the largest lambda and object angle in degrees. Lengths add up to the "
-      "layer's.");
+      "length, radius of its balls, and the largest lambda and object angle in degrees. Branches shorter than a\n"
+      "millionth of their radius, which come from the rounding of coordinates, are points. Positions are in the\n"
+      "coordinate system of a map, lengths in its unit.");
 }
 
 void describe_centerline(const Registry& registry, CLI::App& app, CenterlineRequest& to) {
@@ -124,10 +125,12 @@ void describe_persistence(const Registry& registry, CLI::App& app, PersistenceRe
       ->capture_default_str();
   add_output(*persistence, to.output, to.force);
   persistence->footer(
-      "One line for each class of the alpha complexes of the samples, the longest first: dimension (0: component,\n"
-      "1: hole), radii of birth and death, the sample of the component or the centre of the circle that fills the\n"
-      "hole, and the edge that joins or closes. What stays has no death. Of balls, births and deaths are growths;\n"
-      "those below 0 are of what the balls have before they grow.");
+      "One line for each persistence pair of the alpha complexes of the samples, the longest first: dimension (0:\n"
+      "component, 1: hole), radii of birth and death, the sample of the component or the centre of the circle that\n"
+      "fills the hole, and the edge that joins or closes. Components that never die have no death. For balls, "
+      "births\n"
+      "and deaths are growths, negative before the balls grow. Positions are in the coordinate system of a map,\n"
+      "radii in its unit.");
 }
 
 void describe_export(const Registry& registry, CLI::App& app, ExportRequest& to) {

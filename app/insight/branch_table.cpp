@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "app/insight/center_line_run.h"
+#include "core/io/systems/map_conversion.h"
 #include "core/io/text/text_numbers.h"
 #include "core/structures/balls/kept_union.h"
 #include "core/workbench/workbench.h"
@@ -137,6 +138,7 @@ Expected<BranchTable> branch_table_of(const Registry& registry, const SampleData
   if (auto good = bench.run_or_throw(job); !good && good.error().code != ErrorCode::cannot_compute)
     return std::unexpected(good.error());
   BranchTable out;
+  out.map = data.map;
   out.measures_area = measures_area;
   for (const NodeReport& node : bench.nodes()) {
     if (node.state != NodeState::failed) continue;
@@ -145,7 +147,7 @@ Expected<BranchTable> branch_table_of(const Registry& registry, const SampleData
       return std::unexpected(Error{ErrorCode::cannot_compute, std::move(problem), {}, 0, 0});
     out.area_problem = std::move(problem);
   }
-  out.branches = branches_of(filter, bench.get<InnerBalls>(), lambda, angle);
+  out.branches = branches_of(filter, bench.get<InnerBalls>(), lambda, angle, kLeastBranch);
   out.lines.reserve(out.branches.size());
   for (const AxisBranch& branch : out.branches) {
     out.lines.push_back(line_of(filter, branch));
@@ -178,20 +180,24 @@ std::string kept_in_words(const BranchTable& table) {
   return out;
 }
 
-std::string branches_as_csv(std::span<const AxisBranch> branches) {
+Expected<std::string> branches_as_csv(const BranchTable& table) {
+  const auto written = WrittenPlane::of(table.map);
+  if (!written) return std::unexpected(written.error());
   std::string out =
       "branch,from,from_x,from_y,to,to_x,to_y,edges,length,radius_least,radius_mean,radius_largest,lambda,angle\n";
   std::size_t number = 0;
-  for (const AxisBranch& branch : branches) {
+  for (const AxisBranch& branch : table.branches) {
     out += std::to_string(++number);
     for (const AxisBranch::End& end : {branch.from, branch.to}) {
       out += ',' + std::string(name_of(end.kind));
-      for (const double x : {end.place.x, end.place.y}) append_number(out += ',', x);
+      const Vec2 place = written->position(end.place);
+      for (const double x : {place.x, place.y}) append_number(out += ',', x);
     }
     out += ',' + std::to_string(branch.edges.size());
     for (const double x :
-         {branch.length, branch.radius_least, branch.radius_mean, branch.radius_largest, branch.lambda, branch.angle})
-      append_number(out += ',', x);
+         {branch.length, branch.radius_least, branch.radius_mean, branch.radius_largest, branch.lambda})
+      append_number(out += ',', written->length(x));
+    append_number(out += ',', branch.angle);
     out += '\n';
   }
   return out;

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -11,6 +12,7 @@
 
 #include "core/base/error.h"
 #include "core/base/jobs/job_control.h"
+#include "core/document/map_plane.h"
 #include "core/document/sample_data.h"
 #include "core/document/settings/computation_settings.h"
 #include "core/structures/filters/axis_branches.h"
@@ -33,6 +35,7 @@ struct AxisShare {
 };
 
 struct BranchTable {
+  std::optional<MapPlane> map;           ///< of the data; its plane is that of all positions and lengths
   std::vector<AxisBranch> branches;      ///< in the order of `branches_of`, which numbers them from 1
   std::vector<std::vector<Vec2>> lines;  ///< points of each branch from end to end; a single point: an isolated point
   std::string reason;                    ///< why there is no axis
@@ -63,7 +66,8 @@ Expected<BranchTable> branch_table_of(const Registry& registry, const SampleData
 /// there is a share.
 std::string kept_in_words(const BranchTable& table);
 
-std::string branches_as_csv(std::span<const AxisBranch> branches);
+/// Positions are in the coordinate system of the map, lengths and radii in its unit. Error: as for `WrittenPlane`.
+Expected<std::string> branches_as_csv(const BranchTable& table);
 
 /// The columns by which a table can be sorted and filtered.
 enum class BranchColumn : std::uint8_t {

@@ -10,6 +10,7 @@
 #include <memory>
 #include <utility>
 
+#include "core/io/systems/map_conversion.h"
 #include "core/io/text/text_numbers.h"
 #include "core/structures/alpha/alpha_filtration.h"
 #include "core/structures/poles/polar_union.h"
@@ -203,13 +204,18 @@ Expected<PersistenceTable> persistence_table_of(const Registry& registry, const 
                                                      : SampleData{.positions = input.data.positions};
   if (auto good = bench.load(alone); !good) return std::unexpected(good.error());
   if (auto good = bench.run_or_throw(job); !good) return std::unexpected(good.error());
-  switch (input.of) {
-    case GrowthOf::samples: break;
-    case GrowthOf::inner: return table_of(bench.get<ABallFiltration>());
-    case GrowthOf::polar: return table_of(bench.get<PBallFiltration>());
-    case GrowthOf::own: return table_of(bench.get<BBallFiltration>());
-  }
-  return table_of(bench.get<Delaunay>(), bench.get<AlphaFiltration>());
+  const auto table = [&] {
+    switch (input.of) {
+      case GrowthOf::samples: break;
+      case GrowthOf::inner: return table_of(bench.get<ABallFiltration>());
+      case GrowthOf::polar: return table_of(bench.get<PBallFiltration>());
+      case GrowthOf::own: return table_of(bench.get<BBallFiltration>());
+    }
+    return table_of(bench.get<Delaunay>(), bench.get<AlphaFiltration>());
+  };
+  PersistenceTable out = table();
+  out.map = input.data.map;
+  return out;
 }
 
 // The hole is the set of triangles reachable from its last one without crossing edges that exist when it closes.
@@ -276,7 +282,9 @@ std::string in_words(const PersistenceRow& row) {
                      row.birth, row.is_hole ? "filled" : "joined", row.death, row.persistence());
 }
 
-std::string persistence_as_csv(const PersistenceTable& table) {
+Expected<std::string> persistence_as_csv(const PersistenceTable& table) {
+  const auto written = WrittenPlane::of(table.map);
+  if (!written) return std::unexpected(written.error());
   std::string out = "dimension,birth,death,persistence,x,y,edge_x1,edge_y1,edge_x2,edge_y2\n";
   const auto add = [&out](double x) {
     out += ',';
@@ -284,9 +292,16 @@ std::string persistence_as_csv(const PersistenceTable& table) {
   };
   for (const PersistenceRow& row : table.rows) {
     out += row.is_hole ? '1' : '0';
-    for (const double x : {row.birth, row.death, row.persistence(), row.place.x, row.place.y}) add(x);
-    for (const Vec2 end : row.edge)
-      for (const double x : {end.x, end.y}) add(row.has_edge ? x : std::numeric_limits<double>::infinity());
+    for (const double x : {row.birth, row.death, row.persistence()}) add(written->length(x));
+    const auto add_position = [&](Vec2 p) {
+      const Vec2 place = written->position(p);
+      for (const double x : {place.x, place.y}) add(x);
+    };
+    add_position(row.place);
+    if (row.has_edge)
+      for (const Vec2 end : row.edge) add_position(end);
+    else
+      out += ",,,,";
     out += '\n';
   }
   return out;

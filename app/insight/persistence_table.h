@@ -15,6 +15,7 @@
 #include "core/base/error.h"
 #include "core/base/geometry/vec2.h"
 #include "core/base/jobs/job_control.h"
+#include "core/document/map_plane.h"
 #include "core/document/sample_data.h"
 #include "core/document/settings/computation_settings.h"
 #include "core/draw/layer_descriptor.h"
@@ -75,6 +76,7 @@ struct GrowthEvent {
 /// A rank is the index of a filtration value in the exact order of the radii. Radii of balls are rounded up, by less
 /// than a part in 10^11; so compare ranks, not radii, to find what exists at a radius.
 struct PersistenceTable {
+  std::optional<MapPlane> map;       ///< of the data; its plane is that of all positions and lengths
   std::vector<PersistenceRow> rows;  ///< sorted by persistence, longest first
   /// The events that join components, close holes and fill holes, in filtration order.
   std::vector<GrowthEvent> joins, closes, fills;
@@ -120,6 +122,7 @@ std::optional<std::size_t> row_near(const PersistenceTable& table, Vec2 place, d
 std::string in_words(const PersistenceRow& row);
 
 /// A component has the dimension 0, a hole 1; death and persistence of what stays, and its edge, are empty.
-std::string persistence_as_csv(const PersistenceTable& table);
+/// Positions are in the coordinate system of the map, radii in its unit. Error: as for `WrittenPlane`.
+Expected<std::string> persistence_as_csv(const PersistenceTable& table);
 
 }  // namespace mes

@@ -74,13 +74,14 @@ Panels::Panels(const Uses& uses)
       selection_panel_(uses.screen.gui, uses.actions, uses.work.selection_commands(), uses.board.canvas(),
                        uses.messages),
       curves_panel_(uses.screen.gui, uses.actions, uses.work.curve_sampler()),
-      branches_panel_({uses.screen.gui, uses.work.insight().branches, uses.board.canvas(), uses.work.editor(),
-                       uses.work.layers(), uses.work.computation(),
-                       [&flow = uses.documents](std::string csv) { flow.ask_table("branches", std::move(csv)); }}),
+      branches_panel_(
+          {uses.screen.gui, uses.work.insight().branches, uses.board.canvas(), uses.work.editor(), uses.work.layers(),
+           uses.work.computation(),
+           [&flow = uses.documents](Expected<std::string> csv) { flow.ask_table("branches", std::move(csv)); }}),
       persistence_panel_(
           {uses.screen.gui, uses.work.insight().persistence, uses.board.canvas(), uses.work.editor(),
            uses.work.computation(),
-           [&flow = uses.documents](std::string csv) { flow.ask_table("persistence", std::move(csv)); }}),
+           [&flow = uses.documents](Expected<std::string> csv) { flow.ask_table("persistence", std::move(csv)); }}),
       sampling_panel_({uses.screen.gui, uses.actions, uses.work.resampling(), uses.board.canvas(),
                        uses.work.document(), uses.work.engine(), uses.board.picture(), uses.messages}),
       experiments_panel_({uses.screen.gui, uses.experiments.list(), uses.experiments.examples(),

@@ -29,8 +29,9 @@ Expected<void> run_branches(const Registry& registry, const BranchesRequest& req
   JobControl job;
   const auto table = branch_table_of(registry, input->file.data, input->settings, *axis, job);
   if (!table) return std::unexpected(table.error());
-  auto done = write_output(request.output, branches_as_csv(table->branches), interruption,
-                           {input->file.sources, request.force});
+  const auto csv = branches_as_csv(*table);
+  if (!csv) return std::unexpected(csv.error());
+  auto done = write_output(request.output, *csv, interruption, {input->file.sources, request.force});
   if (done) say(table->branches.empty() ? "no branch: " + table->reason : kept_in_words(*table));
   return done;
 }

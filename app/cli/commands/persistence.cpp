@@ -37,8 +37,9 @@ Expected<void> run_persistence(const Registry& registry, const PersistenceReques
                   table->rows.size() - table->closes.size() == 1 ? "component" : "components", table->closes.size(),
                   table->closes.size() == 1 ? "hole" : "holes",
                   longest == table->rows.end() ? std::string() : "; the longest " + in_words(*longest));
-  auto done =
-      write_output(request.output, persistence_as_csv(*table), interruption, {input->file.sources, request.force});
+  const auto csv = persistence_as_csv(*table);
+  if (!csv) return std::unexpected(csv.error());
+  auto done = write_output(request.output, *csv, interruption, {input->file.sources, request.force});
   if (done) say(words);
   return done;
 }

@@ -121,7 +121,7 @@ void BranchesPanel::draw_choices() {
               : filter_problem_);
   ImGui::SameLine(0, 4 * unit);
   ImGui::BeginDisabled(!uses_.latest.is_current() || !uses_.export_csv);
-  if (ImGui::Button(export_label)) uses_.export_csv(branches_as_csv(uses_.latest.table()->branches));
+  if (ImGui::Button(export_label)) uses_.export_csv(branches_as_csv(*uses_.latest.table()));
   ImGui::EndDisabled();
   tooltip(uses_.gui, "Write all branches to a file as CSV, as mesecina branches does");
   if (!filter_problem_.empty()) {

@@ -28,7 +28,7 @@ class BranchesPanel {
     const Editor& editor;
     LayerStack& layers;
     ComputationControl& computation;
-    std::function<void(std::string)> export_csv{};  ///< asks for a file for the CSV text
+    std::function<void(Expected<std::string>)> export_csv{};  ///< asks for a file for the CSV text
   };
   explicit BranchesPanel(Uses uses) : uses_(std::move(uses)) {}
 

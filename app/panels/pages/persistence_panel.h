@@ -30,7 +30,7 @@ class PersistencePanel {
     Canvas& canvas;
     const Editor& editor;
     ComputationControl& computation;
-    std::function<void(std::string)> export_csv{};  ///< asks for a file for the CSV text
+    std::function<void(Expected<std::string>)> export_csv{};  ///< asks for a file for the CSV text
   };
   explicit PersistencePanel(Uses uses) : uses_(std::move(uses)) {}
 

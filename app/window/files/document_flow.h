@@ -81,7 +81,7 @@ class DocumentFlow {
   void ask_export(std::optional<std::size_t> bundle);
   /// Asks for a file for a table, with a proposed name that contains `of`. Waits until nothing else is being asked or
   /// dragged, and asks again if the file cannot be written. A table may arrive while the user is busy.
-  void ask_table(const std::string& of, std::string csv);
+  void ask_table(const std::string& of, Expected<std::string> csv);
 
   /// Called once per turn before the frame: takes finished readings and saves.
   void take_results();

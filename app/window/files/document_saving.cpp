@@ -63,10 +63,11 @@ void DocumentFlow::take_shared() {
   }
 }
 
-void DocumentFlow::ask_table(const std::string& of, std::string csv) {
+void DocumentFlow::ask_table(const std::string& of, Expected<std::string> csv) {
+  if (!csv) return report(csv.error());
   std::string name = fs::path(files_.title()).stem().string() + '-' + of + ".csv";
   std::ranges::replace(name, '/', '-');
-  tables_.push_back({std::move(name), std::make_shared<const std::string>(std::move(csv))});
+  tables_.push_back({std::move(name), std::make_shared<const std::string>(*std::move(csv))});
   uses_.screen.clock.want(1);
 }
 

@@ -146,6 +146,16 @@ bool MapConversion::turns_longitudes() const {
   return half_turn() > 0.0 && (impl_->to_wgs84 || impl_->azimuthal);
 }
 
+Expected<WrittenPlane> WrittenPlane::of(const std::optional<MapPlane>& plane) {
+  WrittenPlane out;
+  if (!plane || !is_on_earth(*plane)) return out;
+  auto conversion = MapConversion::of(*plane, MapTarget::own_system);
+  if (!conversion) return std::unexpected(conversion.error());
+  out.conversion_ = *std::move(conversion);
+  out.size_ = plane->written_size();
+  return out;
+}
+
 Expected<double> largest_scale_error(const MapPlane& plane, std::span<const Vec2> positions) {
   double out = 0.0;
   if (plane.projection == MapProjection::azimuthal) {

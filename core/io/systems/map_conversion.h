@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 
 #include "core/base/error.h"
@@ -56,6 +57,20 @@ class MapConversion {
   struct Impl;
   explicit MapConversion(std::unique_ptr<Impl> impl);
   std::unique_ptr<Impl> impl_;
+};
+
+/// Positions and lengths of the plane of a document as they are written: in the coordinate system and the unit of its
+/// map, unchanged for a drawing and without a map.
+class WrittenPlane {
+ public:
+  /// Error: as for `MapConversion::of`.
+  static Expected<WrittenPlane> of(const std::optional<MapPlane>& plane);
+  Vec2 position(Vec2 p) const { return conversion_ ? conversion_->from_plane(p) : p; }
+  double length(double x) const { return x * size_; }
+
+ private:
+  std::optional<MapConversion> conversion_;
+  double size_ = 1.0;
 };
 
 /// The largest relative error of short lengths in the plane, at these positions of it: an upper bound for the azimuthal

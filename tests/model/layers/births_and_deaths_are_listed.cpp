@@ -151,14 +151,14 @@ TEST_CASE("a class is found by its places") {
 
 TEST_CASE("few samples have few classes, and words and CSV say which") {
   CHECK(table_of_samples({}).rows.empty());
-  CHECK(persistence_as_csv(table_of_samples({})) ==
+  CHECK(persistence_as_csv(table_of_samples({})).value() ==
         "dimension,birth,death,persistence,x,y,edge_x1,edge_y1,edge_x2,edge_y2\n");
   const PersistenceTable one = table_of_samples({.positions = {{1, 2}, {1, 2}}});
   REQUIRE(one.rows.size() == 1);
   CHECK(in_words(one.rows[0]) == "component, born at 0, stays");
   const PersistenceTable right = table_of_samples({.positions = {{0, 0}, {3, 0}, {0, 4}}});
   // The hypotenuse comes with the triangle, so no hole lives.
-  CHECK(persistence_as_csv(right) ==
+  CHECK(persistence_as_csv(right).value() ==
         "dimension,birth,death,persistence,x,y,edge_x1,edge_y1,edge_x2,edge_y2\n"
         "0,0,,,0,0,,,,\n"
         "0,0,2,2,0,4,0,0,0,4\n"
