@@ -2,13 +2,18 @@
 #include "core/structures/outline/outline_axis.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstdint>
+#include <span>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include "core/base/geometry/parabola_arc.h"
+#include "core/base/jobs/parallel.h"
 #include "core/graph/explain.h"
+#include "core/structures/outline/internal/outline_parts.h"
 #include "core/structures/outline/internal/segment_voronoi.h"
 #include "core/structures/outline/outline_sides.h"
 
@@ -78,8 +83,34 @@ void OutlineAxis::add_pieces(OutlineEdgeSlot slot) {
   go_to(last);
 }
 
+namespace {
+
+/// Appends the part of another graph from `begin` to `end`.
+void append(OutlineGraph& out, const OutlineGraph& from, const OutlineGraphPart& begin, const OutlineGraphPart& end) {
+  const OutlineGraphPart at = end_of(out);
+  const auto moved = [](auto slot, std::size_t before, std::size_t now) {
+    return decltype(slot)(slot.index() - before + now);
+  };
+  const auto part = [](const auto& table, std::size_t first, std::size_t last) {
+    return std::span(table.values()).subspan(first, last - first);
+  };
+  for (const OutlineFeature& feature : part(from.features, begin.features, end.features))
+    out.features.push_back(feature);
+  for (const OutlineNode& node : part(from.nodes, begin.nodes, end.nodes)) out.nodes.push_back(node);
+  for (OutlineEdge edge : part(from.edges, begin.edges, end.edges)) {
+    for (OutlineNodeSlot& node : edge.nodes) node = moved(node, begin.nodes, at.nodes);
+    for (OutlineFeatureSlot& feature : edge.features) feature = moved(feature, begin.features, at.features);
+    edge.region = edge.region - begin.regions + at.regions;
+    out.edges.push_back(edge);
+  }
+  out.regions += end.regions - begin.regions;
+}
+
+}  // namespace
+
 void OutlineAxis::rebuild(JobControl& job) {
-  graph_ = {};
+  const OutlineGraph graph_before = std::exchange(graph_, {});
+  const std::vector<Part> parts_before = std::exchange(parts_, {});
   pieces_ = {};
   tolerance_ = 0.0;
   OutlineSides sides;
@@ -97,8 +128,40 @@ void OutlineAxis::rebuild(JobControl& job) {
     }
   }
   job.checkpoint();
-  const std::vector<OutlineSide> straight = sides.take(job);
-  graph_ = inner_voronoi(straight, job);
+  std::vector<Part> parts;
+  for (std::vector<OutlineSide>& part : independent_parts(sides.take(job))) parts.push_back({std::move(part)});
+  const auto key = [](const Part& part) {
+    const OutlineSide& side = part.sides.front();
+    return std::tie(side.from.x, side.from.y, side.to.x, side.to.y);
+  };
+  const auto known = [&](const Part& part) {
+    const auto at = std::ranges::lower_bound(parts_before, key(part), {}, key);
+    return at != parts_before.end() && at->sides == part.sides ? &*at : nullptr;
+  };
+  std::vector<std::size_t> unknown;
+  std::size_t sides_left = 0;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (known(parts[i]) != nullptr) continue;
+    unknown.push_back(i);
+    sides_left += parts[i].sides.size();
+  }
+  std::vector<OutlineGraph> computed(parts.size());
+  std::atomic<std::size_t> sides_done = 0;
+  run_tasks(unknown.size(), [&](std::size_t k) {
+    const std::vector<OutlineSide>& own = parts[unknown[k]].sides;
+    computed[unknown[k]] = inner_voronoi(own, job, unknown.size() == 1);
+    job.checkpoint(sides_done += own.size(), sides_left);
+  });
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    Part& part = parts[i];
+    part.begin = end_of(graph_);
+    if (const Part* const same = known(part))
+      append(graph_, graph_before, same->begin, same->end);
+    else
+      append(graph_, computed[i], {}, end_of(computed[i]));
+    part.end = end_of(graph_);
+  }
+  parts_ = std::move(parts);
   graph_.crossings = sides.crossings();
   for (const OutlineEdgeSlot edge : graph_.edges.rows()) add_pieces(edge);
 }

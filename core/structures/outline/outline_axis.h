@@ -15,9 +15,12 @@
 //     lead to vertices that the curve does not have, are left out. So the axis ends near centres of curvature.
 //  4. The axis depends on the outline as a set, not on samples between vertices or on the order of contours.
 //
-// Cost: a change of the outline computes everything again, O(n log n) for n sides, some 50 us a side.
+// Cost: O(n log n) for n sides, some 50 us a side, on all cores where the outline has independent parts
+// (internal/outline_parts.h), such as the houses of a town. A change of the outline computes the parts again that it
+// changes, and visits all sides, some 4 us a side.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -59,6 +62,12 @@ class OutlineAxis final : public Structure {
 
  private:
   struct Parabola;
+  /// An independent part of the outline, and the part of the graph that belongs to it.
+  struct Part {
+    std::vector<OutlineSide> sides;
+    OutlineGraphPart begin{};
+    OutlineGraphPart end{};
+  };
   std::optional<Parabola> parabola(OutlineEdgeSlot edge) const;
   void add_pieces(OutlineEdgeSlot edge);
 
@@ -66,6 +75,7 @@ class OutlineAxis final : public Structure {
   Samples& samples_;
   Contours& contours_;
   OutlineGraph graph_;
+  std::vector<Part> parts_;  // sorted by their first sides
   Table<OutlinePieceSlot, OutlinePiece> pieces_;
   double tolerance_ = 0.0;  // of chords of curved pieces; 0: all sides are straight
 };

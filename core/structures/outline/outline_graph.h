@@ -45,4 +45,15 @@ struct OutlineGraph {
   std::size_t crossings = 0;  ///< points where sides cross
 };
 
+/// How much of a graph lies before one of its parts.
+struct OutlineGraphPart {
+  std::size_t features = 0;
+  std::size_t nodes = 0;
+  std::size_t edges = 0;
+  std::uint32_t regions = 0;
+};
+inline OutlineGraphPart end_of(const OutlineGraph& graph) {
+  return {graph.features.size(), graph.nodes.size(), graph.edges.size(), graph.regions};
+}
+
 }  // namespace mes

@@ -34,6 +34,7 @@ struct SmoothPlace {
   /// True if the two lie on one stretch with fewer than two chords between them. What is equally far from both is the
   /// trace of a vertex between chords, not of the curve.
   bool is_next_to(const SmoothPlace& other) const;
+  friend bool operator==(const SmoothPlace&, const SmoothPlace&) = default;
 };
 
 struct OutlineSide {
@@ -41,6 +42,7 @@ struct OutlineSide {
   Vec2 to{};
   bool separates = false;  ///< an odd number of closed contours runs along it
   SmoothPlace smooth{};
+  friend bool operator==(const OutlineSide&, const OutlineSide&) = default;
 };
 
 /// Collects contours, one after the other.

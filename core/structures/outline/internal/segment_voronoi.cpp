@@ -47,7 +47,8 @@ Vec2 vec_of(const Doubles::Point_2& p) {
 
 class InnerVoronoi {
  public:
-  InnerVoronoi(std::span<const OutlineSide> sides, JobControl& job) : sides_(sides), job_(job) {
+  InnerVoronoi(std::span<const OutlineSide> sides, JobControl& job, bool shows_progress)
+      : sides_(sides), job_(job), shows_progress_(shows_progress) {
     double most = 0.0;
     for (const OutlineSide& side : sides)
       for (const Vec2 end : {side.from, side.to}) most = std::max({most, std::abs(end.x), std::abs(end.y)});
@@ -69,7 +70,7 @@ class InnerVoronoi {
   Vec2 scaled(Vec2 p) const { return unit_ * p; }
   void look(std::size_t done, std::size_t total) {
     constexpr std::size_t kOften = 64;
-    if (done % kOften == 0) job_.checkpoint(done, total);
+    if (done % kOften == 0) job_.checkpoint(done, shows_progress_ ? total : 0);
   }
 
   void insert() {
@@ -475,6 +476,7 @@ class InnerVoronoi {
 
   std::span<const OutlineSide> sides_;
   JobControl& job_;
+  bool shows_progress_;
   double unit_ = 1.0;
   Graph graph_;
   std::unordered_map<const void*, OutlineFeatureSlot> feature_;
@@ -487,9 +489,9 @@ class InnerVoronoi {
 
 }  // namespace
 
-OutlineGraph inner_voronoi(std::span<const OutlineSide> sides, JobControl& job) {
+OutlineGraph inner_voronoi(std::span<const OutlineSide> sides, JobControl& job, bool shows_progress) {
   if (sides.empty()) return {};
-  return InnerVoronoi(sides, job).run();
+  return InnerVoronoi(sides, job, shows_progress).run();
 }
 
 }  // namespace mes
