@@ -2,7 +2,10 @@
 #include "core/curves/cuts.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <deque>
+#include <span>
 #include <unordered_map>
 #include <utility>
 
@@ -22,6 +25,21 @@ bool may_have_cuts(const std::vector<PlaneCurve>& curves, const std::function<bo
     // A closed curve ends where it starts.
     const auto vertices = std::span(curve.points()).first(curve.piece_count());
     if (std::ranges::any_of(vertices, on_cut) || !repeated.find(vertices).empty()) return true;
+  }
+  return false;
+}
+
+bool is_tip(Vec2 before, Vec2 at, Vec2 after) {
+  constexpr double kLeastAngle = 0x1p-30;
+  const Vec2 back = before - at;
+  const Vec2 on = after - at;
+  return dot(back, on) > 0.0 && std::abs(cross(back, on)) <= kLeastAngle * dot(back, on);
+}
+
+bool has_tip(std::span<const Vec2> ring) {
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Vec2 before = ring[(i + ring.size() - 1) % ring.size()];
+    if (is_tip(before, ring[i], ring[(i + 1) % ring.size()])) return true;
   }
   return false;
 }
@@ -83,8 +101,44 @@ std::vector<Walk> closed_walks(const CurveNetwork& network, const std::vector<St
 
 }  // namespace
 
+void remove_spikes(std::vector<Vec2>& points, std::size_t begin) {
+  std::span<const Vec2> ring = std::span(points).subspan(begin);
+  const bool repeats_first = ring.size() > 1 && ring.front() == ring.back();
+  if (repeats_first) ring = ring.first(ring.size() - 1);
+  if (!has_tip(ring)) return;
+  std::deque<Vec2> left;
+  for (const Vec2 p : ring) {
+    while (left.size() > 1 && is_tip(left[left.size() - 2], left.back(), p)) left.pop_back();
+    if (left.empty() || left.back() != p) left.push_back(p);
+  }
+  for (bool has_changed = true; has_changed && left.size() > 2;) {
+    has_changed = true;
+    if (left.front() == left.back() || is_tip(left[left.size() - 2], left.back(), left.front()))
+      left.pop_back();
+    else if (is_tip(left.back(), left.front(), left[1]))
+      left.pop_front();
+    else
+      has_changed = false;
+  }
+  if (left.size() < 3) return;
+  points.erase(points.begin() + static_cast<std::ptrdiff_t>(begin), points.end());
+  points.insert(points.end(), left.begin(), left.end());
+  if (repeats_first) points.push_back(left.front());
+}
+
 std::vector<PlaneCurve> without_cuts(std::vector<PlaneCurve> curves, double resolution,
                                      const std::function<bool(Vec2)>& on_cut, JobControl* job) {
+  for (PlaneCurve& curve : curves) {
+    if (!curve.is_closed() || !curve.is_polyline() || !has_tip(std::span(curve.points()).first(curve.piece_count())))
+      continue;
+    std::vector<Vec2> points = curve.points();
+    remove_spikes(points);
+    PlaneCurve left(points.front());
+    left.lines_to(std::span(points).subspan(1));
+    left.close();
+    left.name = curve.name;
+    curve = std::move(left);
+  }
   if (!may_have_cuts(curves, on_cut)) return curves;
   const auto network = network_of(curves, resolution, job, true);
   if (!network) return curves;

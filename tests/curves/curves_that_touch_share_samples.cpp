@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "core/base/rng.h"
 #include "core/curves/cuts.h"
 #include "core/curves/resolution.h"
 #include "core/curves/sampling.h"
@@ -199,6 +200,61 @@ TEST_CASE("a hole that touches its shell, at a corner and within a side") {
       if (std::ranges::find(inside, place) != inside.end()) both.insert(place);
     REQUIRE(both.size() == 1);
     CHECK(samples.positions[*both.begin()] == hole.start());
+  }
+}
+
+TEST_CASE("spikes of outlines are removed, at any place and in any direction, and nothing else is") {
+  const std::vector<Vec2> ring{{0, 0}, {100, 0}, {100, 20}, {60, 20}, {60, 70}, {0, 20}};
+  Rng rng(6);
+  for (int round = 0; round < 200; ++round) {
+    INFO("round " << round);
+    const double angle = round % 4 == 0 ? 0.0 : rng.uniform(0.0, 6.0);
+    std::vector<Vec2> points;
+    for (const Vec2 p : ring)
+      points.push_back(
+          {std::cos(angle) * p.x - std::sin(angle) * p.y, std::sin(angle) * p.x + std::cos(angle) * p.y});
+    const std::vector<Vec2> plain = points;
+    for (std::uint64_t spikes = 1 + rng.below(3); spikes > 0; --spikes) {
+      // Past a vertex in the direction of the side before it, or anywhere; perhaps with a stop on the way, and bent.
+      const std::size_t i = 1 + rng.below(points.size() - 1);
+      const bool goes_on = rng.below(2) == 0;
+      const Vec2 along = goes_on ? points[i] - points[i - 1] : Vec2{rng.uniform(-9, 9), rng.uniform(-9, 9)};
+      const Vec2 at = points[i];
+      std::vector<Vec2> spike{at + 0.4 * along};
+      if (rng.below(2) == 0) spike.push_back(at + 0.2 * along);
+      if (rng.below(2) == 0) spike.insert(spike.begin(), at + 0.1 * along);
+      spike.push_back(at);
+      const auto after =
+          points.insert(points.begin() + static_cast<std::ptrdiff_t>(i + 1), spike.begin(), spike.end());
+      if (goes_on && rng.below(2) == 0) points.erase(after - 1);  // the side runs past the vertex at once
+    }
+    std::ranges::rotate(points, points.begin() + static_cast<std::ptrdiff_t>(rng.below(points.size())));
+    const bool repeats = rng.below(2) == 0;
+    if (repeats) points.push_back(points.front());
+    std::vector<Vec2> left = points;
+    left.insert(left.begin(), {5, 5});
+    remove_spikes(left, 1);
+    CHECK(left.front() == Vec2{5, 5});
+    left.erase(left.begin());
+    if (repeats) {
+      CHECK(left.front() == left.back());
+      left.pop_back();
+    }
+    double area = 0.0;
+    double around = 0.0;
+    for (std::size_t k = 0; k < left.size(); ++k) {
+      area += 0.5 * cross(left[k], left[(k + 1) % left.size()]);
+      around += distance(left[k], left[(k + 1) % left.size()]);
+    }
+    CHECK(area == Approx(3500.0));
+    CHECK(around == Approx(100.0 + 20.0 + 40.0 + 50.0 + 10.0 * std::sqrt(61.0) + 20.0));
+    for (const Vec2 corner : plain)
+      CHECK(std::ranges::any_of(left, [&](Vec2 p) { return distance(p, corner) < 1e-9; }));
+  }
+  for (const std::vector<Vec2>& kept : {ring, {{0, 0}, {4, 0}, {2, 0}}, {{0, 0}, {4, 0}}, {{1, 1}}, {}}) {
+    std::vector<Vec2> points = kept;
+    remove_spikes(points);
+    CHECK(points == kept);
   }
 }
 

@@ -13,6 +13,7 @@
 
 #include "core/base/geometry/box2.h"
 #include "core/base/geometry/box_tree.h"
+#include "core/curves/cuts.h"
 #include "core/curves/joined_ends.h"
 #include "core/curves/resolution.h"
 #include "core/io/curve_samples.h"
@@ -234,6 +235,13 @@ void MapShapes::end(Kind kind) {
       positions_.size() - begin >= kTriangleAndRepetition && positions_[begin] == positions_.back();
   const bool is_circle = !arcs_.empty() && arcs_.back() > begin && positions_[begin] == positions_.back();
   if (kind == Kind::line && (is_repeated || is_circle)) kind = Kind::ring;
+  // A projection bends the two sides of a spike differently, so it has to go before. Sides across the 180th meridian
+  // are no spikes.
+  const auto ring = std::span(positions_).subspan(begin);
+  const auto is_far = [](Vec2 a, Vec2 b) { return std::abs(a.x - b.x) > 180.0; };
+  const bool is_straight = arcs_.empty() || arcs_.back() <= begin;
+  if (kind == Kind::ring && is_straight && std::ranges::adjacent_find(ring, is_far) == ring.end())
+    remove_spikes(positions_, begin);
   parts_.push_back({kind, positions_.size()});
 }
 
