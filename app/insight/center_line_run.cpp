@@ -6,7 +6,10 @@
 #include <cmath>
 #include <iterator>
 #include <memory>
+#include <numbers>
 #include <span>
+#include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -21,9 +24,11 @@
 namespace mes {
 namespace {
 
-std::unexpected<Error> no_line(ErrorCode code, std::string text) {
-  return std::unexpected(Error{code, std::move(text), {}, 0, 0});
+std::unexpected<Error> no_line(ErrorCode code, std::string_view text) {
+  return std::unexpected(Error{code, std::string(text), {}, 0, 0});
 }
+
+constexpr std::string_view kNothingEnclosed = "there is no centre line: no closed outline encloses anything";
 
 /// Samples of a strip that is so many times as long as it is wide, over that number: with an epsilon of 1/4 and feature
 /// sizes of half the width, both long sides have four samples on a width.
@@ -96,24 +101,54 @@ std::vector<std::string> remarks_on(const OutlineFaults& faults) {
   if (faults.same != 0)
     out.push_back(faults.same == 1 ? std::string("an outline repeats another one, and counts once")
                                    : fmt::format("{} outlines repeat others, and count once", faults.same));
+  std::string overlap;
   if (faults.crossings != 0)
-    out.push_back(
-        fmt::format("sides of outlines cross {}, and what an even number of outlines encloses counts as "
-                    "outside",
-                    faults.crossings == 1 ? "once" : fmt::format("{} times", faults.crossings)));
+    overlap = "sides of outlines cross " +
+              (faults.crossings == 1 ? std::string("once") : fmt::format("{} times", faults.crossings));
+  else if (faults.overlaps != 0)
+    overlap = "outlines overlap along " + counted(faults.overlaps, "side");
+  if (!overlap.empty()) out.push_back(overlap + ", and what an even number of outlines encloses counts as outside");
   if (faults.repeated != 0)
     out.push_back(fmt::format("outlines run along {} of their own again, and such sides may bound nothing",
                               faults.repeated == 1 ? "a side" : fmt::format("{} sides", faults.repeated)));
   return out;
 }
 
-/// A sentence on an outline that is too long and thin to be sampled; empty if there is none.
+/// The smallest angle at a vertex of a polygon; that of other curves is not looked for.
+double least_angle(const PlaneCurve& curve) {
+  double out = std::numbers::pi;
+  if (!curve.is_polyline() || !curve.is_closed()) return out;
+  const std::span<const Vec2> points = std::span(curve.points()).first(curve.piece_count());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Vec2 back = points[(i + points.size() - 1) % points.size()] - points[i];
+    const Vec2 on = points[(i + 1) % points.size()] - points[i];
+    if (dot(back, on) > 0.0) out = std::min(out, std::atan2(std::abs(cross(back, on)), dot(back, on)));
+  }
+  return out;
+}
+
+/// A sentence on an outline that is too long and thin, or has too sharp a corner, to be sampled; empty if there is none.
 std::string about_thin(std::span<const PlaneCurve> curves) {
-  for (std::size_t i = 0; i < curves.size(); ++i)
+  // Samples reach a corner up to the least distance between them over its angle.
+  constexpr double kSharp = 1.0 / 500.0;
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    const std::string name = curves.size() == 1 ? std::string("the outline") : fmt::format("outline {}", i + 1);
     if (const double ratio = strip_ratio(curves[i]); kSamplesOfRatio * ratio > kMostOutlineSamples)
-      return fmt::format("{} is {:.3g} times as long as it is wide",
-                         curves.size() == 1 ? std::string("the outline") : fmt::format("outline {}", i + 1), ratio);
+      return fmt::format("{} is {:.3g} times as long as it is wide", name, ratio);
+    if (const double angle = least_angle(curves[i]); angle < kSharp)
+      return fmt::format("{} has a corner of {:.2g} degrees", name, angle * 180.0 / std::numbers::pi);
+  }
   return {};
+}
+
+/// Whether samples take longer than the exact axis, as where part of an outline is very thin: an exact side costs as
+/// much as some twenty samples.
+bool is_worth_exact(std::span<const PlaneCurve> curves, std::size_t samples) {
+  constexpr std::size_t kMany = 50'000;
+  constexpr std::size_t kOfSide = 100;
+  std::size_t pieces = 0;
+  for (const PlaneCurve& curve : curves) pieces += curve.piece_count();
+  return samples > kMany && samples / kOfSide > pieces;
 }
 
 }  // namespace
@@ -138,23 +173,29 @@ Expected<CenterLineInput> input_for_center_lines(const SampleData& data, CenterL
     leave_out_lines_beside_areas(curves, out.remarks);
     if (auto some = leave_out_flat(curves, out.remarks); !some) return std::unexpected(some.error());
   }
+  // Two open lines may be the banks of something; one is not.
+  if (curves->points.empty() && curves->curves.size() == 1 && !curves->curves.front().is_closed())
+    return no_line(ErrorCode::cannot_compute, kNothingEnclosed);
   const OutlineFaults faults = faults_of_outlines(curves->curves, job);
   std::ranges::move(remarks_on(faults), std::back_inserter(out.remarks));
   if (basis == CenterLineBasis::new_samples) {
     // Samples of outlines that cross say nothing of what lies inside.
-    std::string reason = faults.crossings != 0 ? "they cross" : about_thin(curves->curves);
+    std::string reason = faults.crossings != 0  ? "they cross"
+                         : faults.overlaps != 0 ? "they overlap"
+                         : faults.repeated != 0 ? "they run along themselves"
+                                                : about_thin(curves->curves);
     if (reason.empty()) {
       const SamplingRequest request{
           .rule = SamplingRule::feature_size,
           .count = std::max(kUsualSamples, std::min(data.positions.size(), kMostOutlineSamples)),
           .most = kMostOutlineSamples};
-      if (auto taken = take_samples(curves, request, job)) {
+      auto taken = take_samples(curves, request, job);
+      if (taken && !is_worth_exact(curves->curves, taken->data.positions.size())) {
         out.data = std::move(taken->data);
         out.data.map = data.map;
         return out;
-      } else {
-        reason = taken.error().text;
       }
+      reason = taken ? "a part of them is very thin" : taken.error().text;
     }
     out.is_exact = true;
     out.remarks.push_back("the lines are those of the exact axis of the outlines, because " + reason);
@@ -192,9 +233,8 @@ Expected<CenterLines> compute_center_lines(const Registry& registry, const Sampl
     return no_line(ErrorCode::usage,
                    "the two points are nearest to the same end of the axis, or to ends of two shapes");
   if (out.lines.empty()) {
-    const std::string reason = !wish.is_exact                  ? lambda.reason()
-                               : outline.graph().edges.empty() ? "no closed outline encloses anything"
-                                                               : "";
+    if (wish.is_exact && outline.graph().edges.empty()) return no_line(ErrorCode::cannot_compute, kNothingEnclosed);
+    const std::string reason = wish.is_exact ? "" : lambda.reason();
     const std::string usual =
         out.points == 0 ? "nothing is enclosed" : "every shape is so compact that its pruned axis is a point";
     return no_line(ErrorCode::cannot_compute, "there is no centre line: " + (reason.empty() ? usual : reason));

@@ -53,6 +53,15 @@ void add_chords(const Piece& piece, double tolerance, int halvings, std::vector<
   add_chords(piece.part(0.5, 1.0), tolerance, halvings - 1, out);
 }
 
+/// Adds the ends of the chords that stand for a piece, all but its start.
+void add_chords_of(const Piece& piece, double tolerance, std::vector<Vec2>& out) {
+  constexpr int kMostHalvings = 12;
+  if (piece.kind == PieceKind::line)
+    out.push_back(piece.to());
+  else
+    add_chords(piece, tolerance, kMostHalvings, out);
+}
+
 bool by_ends(const OutlineSide& a, const OutlineSide& b) {
   return std::tie(a.from.x, a.from.y, a.to.x, a.to.y) < std::tie(b.from.x, b.from.y, b.to.x, b.to.y);
 }
@@ -140,23 +149,29 @@ class JoinedPoints {
   std::map<Number, Cell> cells_;
 };
 
-/// Calls `use(i, j)` for each two sides that cross at a point which is an end of neither, until it returns false.
-void for_each_crossing(std::span<const OutlineSide> sides, JobControl& job, auto use) {
+/// Whether two sides cross at a point which is an end of neither.
+bool cross_inside(const OutlineSide& a, const OutlineSide& b) {
+  return orientation(a.from, a.to, b.from) * orientation(a.from, a.to, b.to) < 0 &&
+         orientation(b.from, b.to, a.from) * orientation(b.from, b.to, a.to) < 0;
+}
+
+/// Whether two sides are collinear and have more than a point in common.
+bool have_common_part(const OutlineSide& a, const OutlineSide& b) {
+  return lexicographically_less(a.from, b.to) && lexicographically_less(b.from, a.to) &&
+         orientation(a.from, a.to, b.from) == 0 && orientation(a.from, a.to, b.to) == 0;
+}
+
+/// Calls `use(i, j)` for each two sides whose boxes meet, until it returns false.
+void for_each_meeting(std::span<const OutlineSide> sides, JobControl& job, auto use) {
   const BoxTree<std::uint32_t> tree = tree_of(sides);
   bool goes_on = true;
   for (std::uint32_t i = 0; i < sides.size() && goes_on; ++i) {
     constexpr std::uint32_t kRatherOften = 64;  // a side may cross all others
     if (i % kRatherOften == 0) job.checkpoint();
-    const OutlineSide& a = sides[i];
-    const Box2 own = box_of(a);
+    const Box2 own = box_of(sides[i]);
     tree.visit_where([&](const Box2& box, double) { return goes_on && overlap(own, box); },
                      [&](std::uint32_t j) {
-                       const OutlineSide& b = sides[j];
-                       if (j <= i || !goes_on || !overlap(own, box_of(b)) ||
-                           orientation(a.from, a.to, b.from) * orientation(a.from, a.to, b.to) >= 0 ||
-                           orientation(b.from, b.to, a.from) * orientation(b.from, b.to, a.to) >= 0)
-                         return;
-                       goes_on = use(i, j);
+                       if (j > i && goes_on && overlap(own, box_of(sides[j]))) goes_on = use(i, j);
                      });
   }
 }
@@ -255,24 +270,53 @@ bool SmoothPlace::is_next_to(const SmoothPlace& other) const {
 OutlineFaults faults_of_outlines(std::span<const PlaneCurve> curves, JobControl& job) {
   OutlineFaults out;
   std::vector<OutlineSide> sides;
+  struct Use {
+    std::uint32_t outline = 0;
+    bool is_below = false;  ///< the outline lies above the side
+  };
+  std::vector<Use> uses;
+  const double tolerance = outline_tolerance(curves);
+  std::uint32_t outline = 0;
   out.same = for_each_outline(curves, [&](const PlaneCurve& curve, std::span<const Piece> pieces) {
-    if (!curve.is_closed() || !curve.is_polyline()) return;
-    const auto begin = static_cast<std::ptrdiff_t>(sides.size());
+    if (!curve.is_closed()) return;
+    std::vector<OutlineSide> own;
+    double twice_area = 0.0;
+    const Vec2 origin = pieces.front().from();
+    const auto add = [&](Vec2 from, Vec2 to) {
+      if (from == to) return;
+      twice_area += cross(from - origin, to - origin);
+      const bool is_forward = lexicographically_less(from, to);
+      own.push_back({is_forward ? from : to, is_forward ? to : from, is_forward});
+    };
+    std::vector<Vec2> ends;
     for (const Piece& piece : pieces) {
-      const Vec2 start = piece.from();
-      const Vec2 end = piece.to();
-      const auto [from, to] = std::minmax(start, end, lexicographically_less);
-      sides.push_back({from, to});
+      ends.clear();
+      add_chords_of(piece, tolerance, ends);
+      Vec2 at = piece.from();
+      for (const Vec2 end : ends) add(std::exchange(at, end), end);
     }
-    std::sort(sides.begin() + begin, sides.end(), by_ends);
+    std::ranges::sort(own, by_ends);
     const auto are_equal = [](const OutlineSide& a, const OutlineSide& b) {
       return a.from == b.from && a.to == b.to;
     };
-    const auto rest = std::unique(sides.begin() + begin, sides.end(), are_equal);
-    out.repeated += static_cast<std::size_t>(sides.end() - rest);
-    sides.erase(rest, sides.end());
+    const auto rest = std::ranges::unique(own, are_equal);
+    out.repeated += rest.size();
+    own.erase(rest.begin(), rest.end());
+    for (const OutlineSide& side : own) {
+      sides.push_back({side.from, side.to});
+      uses.push_back({outline, side.separates == (twice_area > 0.0)});
+    }
+    ++outline;
   });
-  for_each_crossing(sides, job, [&](std::uint32_t, std::uint32_t) { return ++out.crossings <= kMostCrossings; });
+  for_each_meeting(sides, job, [&](std::uint32_t i, std::uint32_t j) {
+    if (have_common_part(sides[i], sides[j])) {
+      if (uses[i].outline == uses[j].outline)
+        ++out.repeated;
+      else if (uses[i].is_below == uses[j].is_below)
+        ++out.overlaps;
+    }
+    return !cross_inside(sides[i], sides[j]) || ++out.crossings <= kMostCrossings;
+  });
   return out;
 }
 
@@ -316,11 +360,7 @@ void OutlineSides::add(std::span<const Piece> pieces, bool is_closed, double tol
     const std::size_t i = (first + k) % count;
     const Piece& piece = pieces[i];
     ends.clear();
-    constexpr int kMostHalvings = 12;
-    if (piece.kind == PieceKind::line)
-      ends.push_back(piece.to());
-    else
-      add_chords(piece, tolerance, kMostHalvings, ends);
+    add_chords_of(piece, tolerance, ends);
     Vec2 at = piece.from();
     for (const Vec2 end : ends) {
       add(at, end, is_closed, place);
@@ -377,7 +417,8 @@ std::vector<OutlineSides::Cut> OutlineSides::crossings_of_sides(JobControl& job)
                                                std::abs(extent.high.x), std::abs(extent.high.y)});
   std::vector<Cut> cuts;
   const std::size_t before = crossings_;
-  for_each_crossing(sides_, job, [&](std::uint32_t i, std::uint32_t j) {
+  for_each_meeting(sides_, job, [&](std::uint32_t i, std::uint32_t j) {
+    if (!cross_inside(sides_[i], sides_[j])) return true;
     add_cuts_of_crossing(i, j, tolerance, cuts);
     return ++crossings_ - before <= kMostCrossings;
   });

@@ -80,12 +80,13 @@ class OutlineSides {
 /// How outlines run over themselves and each other, where they should bound something.
 struct OutlineFaults {
   std::size_t crossings = 0;  ///< pairs of sides that cross, not at an end; counted no further than 200,001
-  std::size_t repeated = 0;   ///< times that an outline runs along a side of its own again
+  std::size_t overlaps = 0;   ///< pairs of collinear sides of two outlines that both lie on one side of a common part
+  std::size_t repeated = 0;   ///< times that an outline runs along a side of its own again, or along a part of it
   std::size_t same = 0;       ///< outlines that repeat another one, all of it, and count once
 };
 
-/// Counts the faults of closed curves whose sides are all straight, exactly. Throws `Cancelled`. Cost: as
-/// `OutlineSides`.
+/// Counts the faults of closed curves, exactly for straight sides, and of the chords within `outline_tolerance` for
+/// curved ones. Throws `Cancelled`. Cost: as `OutlineSides`.
 OutlineFaults faults_of_outlines(std::span<const PlaneCurve> curves, JobControl& job);
 
 /// How far chords may leave curves of this extent: 2^-14 of its larger side.

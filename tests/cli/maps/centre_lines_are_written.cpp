@@ -461,8 +461,17 @@ TEST_CASE("a remark names outlines that cross or repeat themselves, and their li
   CHECK_THAT(remarks("POLYGON ((0 0, 20 5, 20 0, 0 5, 0 0))", {"--exact"}), Catch::Contains("cross once"));
   CHECK_THAT(remarks("MULTIPOLYGON (((0 0, 9 0, 9 3, 0 3, 0 0)), ((5 1, 15 1, 15 2, 5 2, 5 1)))"),
              Catch::Contains("cross 2 times"));
-  CHECK_THAT(remarks("POLYGON ((0 0, 9 0, 9 3, 0 3, 0 0, 9 0, 0 0))"),
-             Catch::Contains("outlines run along 2 sides of their own again"));
+  CHECK_THAT(remarks("MULTIPOLYGON (((0 0, 9 0, 9 3, 0 3, 0 0)), ((5 0, 15 0, 15 3, 5 3, 5 0)))"),
+             Catch::Contains("outlines overlap along 2 sides") && Catch::Contains("because they overlap"));
+  CHECK_THAT(remarks("POLYGON ((0 0, 9 0, 9 3, 0 3, 0 0, 9 0, 4 1, 0 0))"),
+             Catch::Contains("outlines run along a side of their own again"));
+  const std::string slots = R"(<svg xmlns="http://www.w3.org/2000/svg"><ellipse cx="50" cy="50" rx="40" ry="15"/>)"
+                            R"(<ellipse cx="50" cy="50" rx="15" ry="40"/></svg>)";
+  CHECK_THAT(remarks(slots), Catch::Contains("sides of outlines cross 4 times"));
+  const std::string apart_circles =
+      R"(<svg xmlns="http://www.w3.org/2000/svg"><ellipse cx="20" cy="50" rx="20" ry="15"/>)"
+      R"(<ellipse cx="60" cy="50" rx="20" ry="15"/></svg>)";
+  CHECK_THAT(remarks(apart_circles), !Catch::Contains("cross"));
   CHECK_THAT(remarks("MULTIPOLYGON (((0 0, 9 0, 9 3, 0 3, 0 0)), ((9 0, 9 3, 0 3, 0 0, 9 0)))", {"--exact"}),
              Catch::Contains("-: an outline repeats another one, and counts once"));
   // Parcels with a common border, and a hole that touches the outline, are no faults.
@@ -478,6 +487,59 @@ TEST_CASE("a remark names outlines that cross or repeat themselves, and their li
   CHECK_THAT(apart, Catch::Contains("-: feature 1: sides of outlines cross once") &&
                         Catch::Contains("; likewise 19 other features"));
   CHECK(std::ranges::count(apart, '\n') == 4);
+}
+
+TEST_CASE("outlines with a very sharp corner or a very thin part have lines of their exact axis") {
+  const auto lines_of = [](const std::string& input, std::string_view reason) {
+    const RunResult result = run({"centerline", "-"}, {.input = input});
+    REQUIRE(result.exit_code == 0);
+    CHECK_THAT(result.err, Catch::Contains(std::string("because ") + std::string(reason)));
+    const RunResult exact = run({"centerline", "-", "--exact"}, {.input = input});
+    CHECK(result.out == exact.out);
+    CHECK(result.out.size() < 100'000);
+  };
+  lines_of("POLYGON ((0 0, 100 0, 100 20, 50.01 20, 50 60, 49.99 20, 0 20, 0 0))",
+           "the outline has a corner of 0.029 degrees");
+  lines_of("POLYGON ((0 0, 100 0, 100 20, 50.001 20, 50.001 60, 50 60, 50 20, 0 20, 0 0))",
+           "a part of them is very thin");
+}
+
+TEST_CASE("spikes of an outline are no part of it, in plain coordinates and in degrees") {
+  const auto length = [](const std::string& input, const std::vector<std::string>& options = {}) {
+    const RunResult result = run(with({"centerline", "-"}, options), {.input = input});
+    INFO(result.err);
+    REQUIRE(result.exit_code == 0);
+    CHECK_THAT(result.err, !Catch::Contains("again") && !Catch::Contains("because"));
+    const Json lines = Json::parse(result.out)["features"];
+    REQUIRE(lines.size() == 1);
+    CHECK(lines[0]["properties"]["width_least"].get<double>() ==
+          Approx(lines[0]["properties"]["width_largest"].get<double>()).epsilon(1e-3));
+    return lines[0]["properties"]["length"].get<double>();
+  };
+  for (const std::vector<std::string>& options : {std::vector<std::string>{}, {"--exact"}}) {
+    CHECK(length("POLYGON ((0 0, 120 0, 100 0, 100 20, 0 20, 0 0))", options) == Approx(80.0).epsilon(1e-3));
+    CHECK(length("POLYGON ((0 0, 100 0, 50 0, 50 20, 0 20, 0 0))", options) == Approx(30.0).epsilon(1e-2));
+    CHECK(length("POLYGON ((0 0, 9 0, 9 3, 0 3, 0 0, 9 0, 0 0))", options) == Approx(6.0).epsilon(1e-3));
+    const auto in_degrees = [&](const std::string& ring) {
+      return length(R"({"type":"Polygon","coordinates":[[)" + ring + "]]}", options);
+    };
+    CHECK(in_degrees("[10,50],[10.012,50],[10.01,50],[10.01,50.002],[10,50.002],[10,50]") ==
+          Approx(in_degrees("[10,50],[10.01,50],[10.01,50.002],[10,50.002],[10,50]")).epsilon(1e-5));
+    // The long way back across the 180th meridian is no spike.
+    CHECK(in_degrees("[179.995,50],[-179.995,50],[-179.995,50.002],[179.995,50.002],[179.995,50]") ==
+          Approx(in_degrees("[10,50],[10.01,50],[10.01,50.002],[10,50.002],[10,50]")).epsilon(1e-3));
+  }
+}
+
+TEST_CASE("a single open line has no centre line, by itself or as a feature") {
+  for (const char* const line : {"LINESTRING (0 0, 100 0, 100 50)", "LINESTRING (0 0, 100 0)"})
+    for (const std::vector<std::string>& options : {std::vector<std::string>{}, {"--exact"}, {"--vertices"}})
+      CHECK_THAT(line_fault(1, with({"-"}, options), line), Catch::Contains("no closed outline encloses anything"));
+  const std::string feature =
+      R"({"type":"Feature","properties":{},"geometry":{"type":"LineString","coordinates":[[0,0],[9,0],[9,5]]}})";
+  const RunResult each = run({"centerline", "-", "--each", "--crs", "EPSG:25832"}, {.input = feature});
+  CHECK(each.exit_code == 1);
+  CHECK_THAT(each.err, Catch::Contains("no closed outline encloses anything"));
 }
 
 TEST_CASE("where a map has areas, its lines and points have no part in centre lines") {
@@ -564,7 +626,8 @@ TEST_CASE("what has no centre line gets one line and an exit code") {
   CHECK_THAT(line_fault(1, {"-"}, "POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0))"),
              Catch::Contains("no centre line: every shape"));
   CHECK_THAT(line_fault(1, {"-"}, "POINT (1 2)"), Catch::Contains("no centre line"));
-  CHECK_THAT(line_fault(1, {"-"}, "LINESTRING (0 0, 1 3)"), Catch::Contains("no centre line: nothing is enclosed"));
+  CHECK_THAT(line_fault(1, {"-"}, "LINESTRING (0 0, 1 3)"),
+             Catch::Contains("no centre line: no closed outline encloses anything"));
   CHECK_THAT(line_fault(1, {"-"}, "MULTIPOINT ((1 2), (3 4))"), Catch::Contains("no centre line"));
   CHECK_THAT(line_fault(3, {"-", "--from", "poff"}, "POFF 0 0 0\n"), Catch::Contains("no samples"));
   line_fault(3, {"-"}, "\x01\x02 nonsense");

@@ -350,26 +350,36 @@ TEST_CASE("crossings and repeated sides of outlines are those of all pairs") {
   const auto place = [&] { return static_cast<double>(random.below(kPlaces)); };
   std::size_t crossings = 0;
   std::size_t repeated = 0;
+  std::size_t overlaps = 0;
   for (int round = 0; round < 300; ++round) {
     std::vector<PlaneCurve> curves;
     using Side = std::pair<Vec2, Vec2>;
     std::vector<Side> all;
+    std::vector<std::pair<std::size_t, bool>> uses;  // the ring of each side, and whether it lies above it
     std::size_t again = 0;
+    std::size_t shared = 0;
     for (std::uint64_t rings = 1 + random.below(4); rings > 0; --rings) {
       PlaneCurve& curve = curves.emplace_back(Vec2{place(), place()});
       for (std::uint64_t corners = 2 + random.below(8); corners > 0; --corners) curve.line_to({place(), place()});
       curve.close();
       std::vector<Side> own;
+      std::vector<bool> forward;
+      double area = 0.0;
       for (std::size_t i = 0; i + 1 < curve.points().size(); ++i) {
+        area += cross(curve.points()[i], curve.points()[i + 1]);
         Side side{curve.points()[i], curve.points()[i + 1]};
         if (side.first == side.second) continue;
-        if (lexicographically_less(side.second, side.first)) std::swap(side.first, side.second);
-        if (std::ranges::find(own, side) == own.end())
+        const bool is_forward = lexicographically_less(side.first, side.second);
+        if (!is_forward) std::swap(side.first, side.second);
+        if (std::ranges::find(own, side) == own.end()) {
           own.push_back(side);
-        else
+          forward.push_back(is_forward);
+        } else {
           ++again;
+        }
       }
       all.insert(all.end(), own.begin(), own.end());
+      for (const bool is_forward : forward) uses.emplace_back(rings, is_forward == (area > 0.0));
     }
     // Coordinates are small integers, so that plain arithmetic is exact.
     const auto turn = [](Vec2 a, Vec2 b, Vec2 c) { return cross(b - a, c - a); };
@@ -379,14 +389,23 @@ TEST_CASE("crossings and repeated sides of outlines are those of all pairs") {
         const auto& [a, b] = all[i];
         const auto& [c, d] = all[j];
         if (turn(a, b, c) * turn(a, b, d) < 0.0 && turn(c, d, a) * turn(c, d, b) < 0.0) ++pairs;
+        const double shared_length =
+            dot(b - a, std::min(b, d, lexicographically_less) - std::max(a, c, lexicographically_less));
+        if (turn(a, b, c) != 0.0 || turn(a, b, d) != 0.0 || shared_length <= 0.0) continue;
+        if (uses[i].first == uses[j].first) ++again;
+        if (uses[i].first != uses[j].first && uses[i].second == uses[j].second) ++shared;
       }
     JobControl job;
     const OutlineFaults faults = faults_of_outlines(curves, job);
     CHECK(faults.crossings == pairs);
     CHECK(faults.repeated == again);
+    // A ring that runs along a side twice counts for the side at which it does so first.
+    if (again == 0) CHECK(faults.overlaps == shared);
+    if (again == 0) overlaps += shared;
     crossings += pairs;
     repeated += again;
   }
+  CHECK(overlaps > 10);
   CHECK(crossings > 1000);
   CHECK(repeated > 10);
 }
