@@ -3,13 +3,48 @@
 
 #include <fmt/core.h>
 #include <algorithm>
+#include <cmath>
 
 namespace mes {
+namespace {
+
+/// Keeps the first point, and from each kept point the farthest one up to which a straight piece is near enough.
+void thin(std::vector<Vec2>& points, std::vector<double>& radii) {
+  constexpr double kNear = 0x1p-12;  // of the radius
+  const std::size_t n = points.size();
+  const auto is_near = [&](std::size_t first, std::size_t last) {
+    const Vec2 along = points[last] - points[first];
+    const double size = dot(along, along);
+    for (std::size_t i = first + 1; i < last; ++i) {
+      const double share = size > 0.0 ? std::clamp(dot(points[i] - points[first], along) / size, 0.0, 1.0) : 0.0;
+      const double most = kNear * radii[i];
+      const double radius = (1.0 - share) * radii[first] + share * radii[last];
+      if (distance(points[i], points[first] + share * along) > most || std::abs(radii[i] - radius) > most) return false;
+    }
+    return true;
+  };
+  std::size_t kept = 0;
+  for (std::size_t at = 0; at + 1 < n;) {
+    std::size_t step = 1;
+    while (at + 2 * step < n && is_near(at, at + 2 * step)) step *= 2;
+    for (std::size_t more = step / 2; more != 0; more /= 2)
+      if (at + step + more < n && is_near(at, at + step + more)) step += more;
+    at += step;
+    ++kept;
+    points[kept] = points[at];
+    radii[kept] = radii[at];
+  }
+  points.resize(kept + 1);
+  radii.resize(kept + 1);
+}
+
+}  // namespace
 
 TextLine text_line_of(const CenterLine& line, const std::optional<MapPlane>& map, double unit) {
   TextLine out{.points = {}, .is_closed = line.is_closed, .map = map};
   for (const CenterLine::Point& point : line.points) out.points.push_back(point.place);
   out.radii = radii_of(line);
+  if (!out.points.empty()) thin(out.points, out.radii);
   const Widths widths = widths_of(line);
   out.numbers = {{"shape", static_cast<double>(line.shape + 1)},
                  {"line", static_cast<double>(line.rank + 1)},

@@ -236,7 +236,7 @@ TEST_CASE("a line in space has the radii of the largest disks as heights") {
     // The distance to the sides, which rise by 1 in 20.
     CHECK(std::stod(all[i + 9]) == Approx((1 + x / 20) / std::hypot(1, 0.05)).epsilon(2e-3));
   }
-  CHECK(vertices > 10);
+  CHECK(vertices == 2);  // the radius is linear along the line
   CHECK(text.contains("POLYLINE\n8\ncenterline\n66\n1\n70\n8\n"));
   // Its reader takes it for the same line.
   const TemporaryFolder folder;
