@@ -17,12 +17,6 @@ namespace {
 
 constexpr std::array<std::string_view, 4> kCellFormats{"geojson", "wkt", "gpkg", "fgb"};
 
-double area_of(const std::vector<Vec2>& ring) {
-  double out = 0.0;
-  for (std::size_t i = 1; i < ring.size(); ++i) out += cross(ring[i - 1] - ring[0], ring[i] - ring[0]);
-  return 0.5 * out;
-}
-
 double area_of(const LineArea& area) {
   double out = area_of(area.outer);
   for (const std::vector<Vec2>& hole : area.holes) out += area_of(hole);

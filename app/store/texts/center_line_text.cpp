@@ -19,7 +19,8 @@ void thin(std::vector<Vec2>& points, std::vector<double>& radii) {
       const double share = size > 0.0 ? std::clamp(dot(points[i] - points[first], along) / size, 0.0, 1.0) : 0.0;
       const double most = kNear * radii[i];
       const double radius = (1.0 - share) * radii[first] + share * radii[last];
-      if (distance(points[i], points[first] + share * along) > most || std::abs(radii[i] - radius) > most) return false;
+      if (distance(points[i], points[first] + share * along) > most || std::abs(radii[i] - radius) > most)
+        return false;
     }
     return true;
   };

@@ -18,12 +18,6 @@ Line square(Vec2 low, double side) {
   return {low, low + Vec2{side, 0}, low + Vec2{side, side}, low + Vec2{0, side}, low};
 }
 
-double area_of(const Line& ring) {
-  double out = 0.0;
-  for (std::size_t i = 1; i < ring.size(); ++i) out += 0.5 * cross(ring[i - 1] - ring[0], ring[i] - ring[0]);
-  return out;
-}
-
 double area_of(const LineAreas& areas) {
   double out = 0.0;
   for (const LineArea& area : areas.areas) {
@@ -89,6 +83,56 @@ TEST_CASE("lines that enclose nothing are counted and left out") {
   CHECK(area_of(areas) == 4.0);
   CHECK(areas_of({}).areas.empty());
   CHECK(areas_of({{{0, 0}, {1, 1}, {0, 0}}}).areas.empty());
+}
+
+TEST_CASE("parcels with common borders are an area each, with their holes, and with what fills these") {
+  Rng rng(5);
+  for (int turn = 0; turn < 60; ++turn) {
+    INFO("turn " << turn);
+    constexpr std::size_t kSide = 5;
+    constexpr double kCell = 100.0;
+    // Vertices of a grid; for some turns moved, so that sides are not parallel.
+    std::vector<Vec2> grid;
+    for (std::size_t i = 0; i <= kSide; ++i)
+      for (std::size_t k = 0; k <= kSide; ++k) {
+        const auto moved = [&](std::size_t at) {
+          return kCell * static_cast<double>(at) + (turn % 3 == 0 ? 0.0 : std::round(rng.uniform(-30, 30)));
+        };
+        grid.push_back({moved(i), moved(k)});
+      }
+    std::vector<Line> lines;
+    double wanted = 0.0;
+    std::size_t count = 0;
+    const auto add = [&](Line ring) {
+      std::ranges::rotate(ring, ring.begin() + static_cast<std::ptrdiff_t>(rng.below(ring.size())));
+      ring.push_back(ring.front());
+      if (rng.below(2) == 0) std::ranges::reverse(ring);
+      lines.insert(lines.begin() + static_cast<std::ptrdiff_t>(rng.below(lines.size() + 1)), std::move(ring));
+    };
+    for (std::size_t i = 0; i < kSide; ++i)
+      for (std::size_t k = 0; k < kSide; ++k) {
+        const std::size_t at = i * (kSide + 1) + k;
+        const Line parcel{grid[at], grid[at + kSide + 1], grid[at + kSide + 2], grid[at + 1]};
+        if (rng.below(4) == 0) continue;
+        add(parcel);
+        ++count;
+        wanted += area_of(parcel);
+        if (rng.below(3) != 0) continue;
+        const Vec2 middle = 0.25 * (parcel[0] + parcel[1] + parcel[2] + parcel[3]);
+        Line hole;
+        for (const Vec2 p : parcel) hole.push_back(middle + 0.25 * (p - middle));
+        add(hole);
+        wanted -= area_of(hole);
+        if (rng.below(2) != 0) continue;
+        add(hole);
+        ++count;
+        wanted += area_of(hole);
+      }
+    const LineAreas areas = areas_of(lines);
+    CHECK(areas.left_out == 0);
+    CHECK(areas.areas.size() == count);
+    CHECK(area_of(areas) == Approx(wanted));
+  }
 }
 
 TEST_CASE("nested rings in random pieces enclose what the even-odd rule says") {

@@ -147,14 +147,18 @@ struct Side {
   bool is_lower = false;  ///< the inside of the ring is above
 };
 
-/// Whether one side is above another, which it does not cross, where both have points on an upright line.
+/// Whether one side is above another, which it does not cross, where both have points on an upright line. Of two that
+/// run along each other, the one that bounds what lies above them counts as above: the lower side of a ring, then that
+/// of the inner of two rings, the later one; of two upper sides that of the outer ring.
 bool is_above(const Side& a, const Side& b) {
-  if (!lexicographically_less(a.left, b.left)) {
-    const int side = orientation(b.left, b.right, a.left);
-    return side != 0 ? side > 0 : orientation(b.left, b.right, a.right) > 0;
-  }
-  const int side = orientation(a.left, a.right, b.left);
-  return side != 0 ? side < 0 : orientation(a.left, a.right, b.right) < 0;
+  const bool begins_later = !lexicographically_less(a.left, b.left);
+  const Side& early = begins_later ? b : a;
+  const Side& late = begins_later ? a : b;
+  int side = orientation(early.left, early.right, late.left);
+  if (side == 0) side = orientation(early.left, early.right, late.right);
+  if (side != 0) return (side > 0) == begins_later;
+  if (a.is_lower != b.is_lower) return a.is_lower;
+  return a.is_lower ? a.ring > b.ring : a.ring < b.ring;
 }
 
 /// A counter-clockwise ring that begins at its smallest point; empty: it encloses nothing.
@@ -169,10 +173,13 @@ Ring begun_at_smallest(Ring ring) {
   return ring;
 }
 
-/// From left to right; of rings with the same smallest point, one around another first.
+/// From left to right; of rings with the same smallest point, the lower first, and one around another first. Rings may
+/// have parts of sides in common.
 bool comes_before(const Ring& a, const Ring& b) {
   if (a[0] != b[0]) return lexicographically_less(a[0], b[0]);
-  return orientation(a[0], a[1], b[1]) > 0;
+  if (const int turn = orientation(a[0], a[1], b[1]); turn != 0) return turn > 0;
+  if (const int turn = orientation(a[0], a.back(), b.back()); turn != 0) return turn < 0;
+  return area_of(a) > area_of(b);
 }
 
 /// The ring directly around each; none: the number of rings. The rings are in the order above.
@@ -205,9 +212,10 @@ std::vector<std::size_t> surroundings_of(const std::vector<Ring>& rings) {
              (!below || box.high.y >= std::min(below->left.y, below->right.y));
     };
     tree.visit_where(may_hold, [&](const Side& side) {
-      if (side.ring == i || side.left.x > p.x || side.right.x <= p.x) return;
+      // A ring that comes later neither surrounds this one nor lies directly below it.
+      if (side.ring >= i || side.left.x > p.x || side.right.x <= p.x) return;
       const int turn = orientation(side.left, side.right, p);
-      if (turn < 0 || (turn == 0 && orientation(p, side.right, lower) <= 0)) return;
+      if (turn < 0 || (turn == 0 && orientation(p, side.right, lower) < 0)) return;
       if (!below || is_above(side, *below)) below = side;
     });
     if (below) out[i] = below->is_lower ? below->ring : out[below->ring];
@@ -216,6 +224,12 @@ std::vector<std::size_t> surroundings_of(const std::vector<Ring>& rings) {
 }
 
 }  // namespace
+
+double area_of(const std::vector<Vec2>& ring) {
+  double out = 0.0;
+  for (std::size_t i = 2; i < ring.size(); ++i) out += cross(ring[i - 1] - ring[0], ring[i] - ring[0]);
+  return 0.5 * out;
+}
 
 LineAreas areas_of(std::vector<std::vector<Vec2>> lines) {
   std::erase_if(lines, [](const Ring& line) { return line.size() < 2; });
@@ -227,16 +241,16 @@ LineAreas areas_of(std::vector<std::vector<Vec2>> lines) {
   std::ranges::sort(rings, comes_before);
   const std::vector<std::size_t> around = surroundings_of(rings);
   std::vector<bool> is_hole(rings.size());
-  std::vector<std::size_t> area_of(rings.size());
+  std::vector<std::size_t> number_of_area(rings.size());
   for (std::size_t i = 0; i < rings.size(); ++i) {
     is_hole[i] = around[i] < rings.size() && !is_hole[around[i]];
     Ring& ring = rings[i];
     ring.push_back(ring.front());
     if (is_hole[i]) {
       std::ranges::reverse(ring);
-      out.areas[area_of[around[i]]].holes.push_back(std::move(ring));
+      out.areas[number_of_area[around[i]]].holes.push_back(std::move(ring));
     } else {
-      area_of[i] = out.areas.size();
+      number_of_area[i] = out.areas.size();
       out.areas.push_back({std::move(ring), {}});
     }
   }
