@@ -51,7 +51,7 @@ struct CenterlineResult {
   std::size_t stations = 0;
   CenterLineTotals totals{};
   std::optional<MapPlane> map{};               ///< of the first lines, whose unit all lengths have
-  std::set<std::string, std::less<>> taken{};  ///< names of properties of any feature
+  std::set<std::string, std::less<>> taken{};  ///< names of properties of any feature, in lower case
   std::string failure{};                       ///< counts features without a line; empty if there are none
 };
 
@@ -155,16 +155,26 @@ void add_station_rows(std::string& table, std::size_t shape, std::size_t line, c
   }
 }
 
-/// The name, with a prefix if a feature has a property of that name: a column has one meaning in all rows.
+std::string in_lower_case(std::string name) {
+  for (char& c : name)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return name;
+}
+
+/// The name, with a prefix if a feature has a property of that name: a column has one meaning in all rows. Columns of a
+/// GeoPackage differ in more than case.
 std::string free_name(std::string name, const CenterlineResult& out) {
   while (out.taken.contains(name)) name.insert(0, "centerline_");
   return name;
 }
 
 /// Formats without ids of their own get the id as a property.
-void add_numbers(TextLine& line, const Feature& feature, std::vector<std::pair<std::string, double>> numbers,
-                 const CenterlineJob& job, const CenterlineResult& out) {
-  for (auto& [name, value] : numbers) line.numbers.emplace_back(free_name(std::move(name), out), value);
+void add_numbers(TextLine& line, const Feature& feature, std::vector<TextNumber> numbers, const CenterlineJob& job,
+                 const CenterlineResult& out) {
+  for (TextNumber& number : numbers) {
+    number.name = free_name(std::move(number.name), out);
+    line.numbers.push_back(std::move(number));
+  }
   line.id = feature.id;
   line.properties = feature.properties;
   if (feature.id.empty() || job.format->name == "geojson") return;
@@ -224,8 +234,8 @@ Expected<void> add_lines(const CenterlineJob& job, const CenterLines& found, con
       text.points = {at.left, at.axis, at.right};
       text.map = map;
       add_numbers(text, feature,
-                  {{"shape", static_cast<double>(line.shape + 1)},
-                   {"line", static_cast<double>(line.rank + 1)},
+                  {{"shape", static_cast<double>(line.shape + 1), true},
+                   {"line", static_cast<double>(line.rank + 1), true},
                    {"station", *unit * at.along},
                    {"width", *unit * at.width},
                    {"direction", at.direction}},
@@ -332,7 +342,8 @@ Expected<void> process_features(const Registry& registry, const std::string& fil
                                 CenterlineResult& out) {
   std::vector<Expected<FoundLines>> found(list.features.size());
   std::vector<std::vector<std::string>> warnings(found.size());
-  for (const Feature& feature : list.features) out.taken.insert(feature.keys.begin(), feature.keys.end());
+  for (const Feature& feature : list.features)
+    for (const std::string& key : feature.keys) out.taken.insert(in_lower_case(key));
   std::mutex progress_mutex;
   std::size_t finished = 0;
   run_tasks(list.features.size(), [&](std::size_t i) {

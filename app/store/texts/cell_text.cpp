@@ -54,7 +54,7 @@ void append_cell(std::string& out, const TextCell& cell, double area, const GeoP
   out += ',';
   append_number(out, place.y);
   out += R"(],"area":)";
-  append_number(out, area);
+  append_measure(out, area);
   out += R"(},"geometry":)";
   append_geojson(out, StraightKind::polygon, parts);
   out += '}';

@@ -47,8 +47,8 @@ TextLine text_line_of(const CenterLine& line, const std::optional<MapPlane>& map
   out.radii = radii_of(line);
   if (!out.points.empty()) thin(out.points, out.radii);
   const Widths widths = widths_of(line);
-  out.numbers = {{"shape", static_cast<double>(line.shape + 1)},
-                 {"line", static_cast<double>(line.rank + 1)},
+  out.numbers = {{"shape", static_cast<double>(line.shape + 1), true},
+                 {"line", static_cast<double>(line.rank + 1), true},
                  {"length", unit * length_of(line)},
                  {"width_least", unit * widths.least},
                  {"width_mean", unit * widths.mean},

@@ -72,10 +72,14 @@ Expected<LineText> lines_as_geojson(std::span<const TextLine> lines) {
     if (!line.id.empty()) out.text += R"("id":)" + line.id + ',';
     out.text += R"("properties":{)" + line.properties;
     bool is_next = !line.properties.empty();
-    for (const auto& [name, value] : line.numbers) {
+    for (const TextNumber& number : line.numbers) {
       if (is_next) out.text += ',';
       is_next = true;
-      out.text += '"' + name + "\":" + json_number(value);
+      out.text += '"' + number.name + "\":";
+      if (number.is_count)
+        append_number(out.text, number.value);
+      else
+        append_measure(out.text, number.value);
     }
     out.text += R"(},"geometry":)";
     append_geojson(out.text, StraightKind::chain, *parts);
@@ -214,15 +218,6 @@ std::span<const LineTextFormat> line_text_formats() {
 const LineTextFormat* find_line_text_format(std::string_view name) {
   const auto found = std::ranges::find(kLineFormats, name, &LineTextFormat::name);
   return found == kLineFormats.end() ? nullptr : &*found;
-}
-
-std::string json_number(double value) {
-  std::string out;
-  if (std::isfinite(value))
-    append_number(out, value);
-  else
-    out = "null";
-  return out;
 }
 
 }  // namespace mes

@@ -16,14 +16,21 @@
 
 namespace mes {
 
+/// A number that describes a line, as a property of a feature.
+struct TextNumber {
+  std::string name;
+  double value = 0.0;
+  bool is_count = false;  ///< otherwise a measure, which has a decimal point even if it is whole
+};
+
 struct TextLine {
   std::vector<Vec2> points;  ///< two or more; a closed line repeats the first at its end
   bool is_closed = false;
   std::vector<double> radii{};  ///< of the largest disks about the points, in units of the plane; empty: unknown
-  std::vector<std::pair<std::string, double>> numbers{};  ///< names and values that describe the line
-  std::string id{};                                       ///< JSON of the id of a feature; empty: none
-  std::string properties{};                               ///< JSON members of a feature, before the numbers
-  std::optional<MapPlane> map{};                          ///< nothing: the line is in no map
+  std::vector<TextNumber> numbers{};
+  std::string id{};               ///< JSON of the id of a feature; empty: none
+  std::string properties{};       ///< JSON members of a feature, before the numbers
+  std::optional<MapPlane> map{};  ///< nothing: the line is in no map
 };
 
 struct LineText {
@@ -47,8 +54,5 @@ struct LineTextFormat {
 std::span<const LineTextFormat> line_text_formats();
 /// The format of this name, or null.
 const LineTextFormat* find_line_text_format(std::string_view name);
-
-/// JSON of a number: `null` if it is not finite.
-std::string json_number(double value);
 
 }  // namespace mes

@@ -116,6 +116,31 @@ TEST_CASE("the features of each kind of map keep their attributes") {
   }
 }
 
+TEST_CASE("columns have one type and one name in every format, whatever the values are") {
+  // The width is whole, one integer does not fit into 64 bits, and a name differs from one of ours in case.
+  const std::string parcel =
+      R"({"type":"Feature","properties":{"Length":5,"big":123456789012345678901234567890,"text":"-1 \"2"},)"
+      R"("geometry":{"type":"Polygon","coordinates":[[[0,0],[1000,0],[1000,200],[0,200],[0,0]]]}})";
+  const std::vector<std::string> command{"centerline", "-", "--each", "--exact", "--crs", "EPSG:25832"};
+  const RunResult text = run(command, {.input = parcel});
+  REQUIRE(text.exit_code == 0);
+  CHECK_THAT(text.out, Catch::Contains(R"("Length":5,)") && Catch::Contains(R"("centerline_length":800.0,)") &&
+                           Catch::Contains(R"("width_least":200.0,)") && Catch::Contains(R"("shape":1,)"));
+  const TemporaryFolder folder;
+  for (const char* const name : {"a.gpkg", "a.fgb"}) {
+    const std::string file = (folder / name).string();
+    REQUIRE(run(with(command, {"-o", file}), {.input = parcel}).exit_code == 0);
+    const std::string told = told_by_ogr(file);
+    for (const char* const column : {"centerline_length", "width_least", "width_mean", "width_largest"})
+      CHECK_THAT(told, Catch::Contains(std::string(column) + ": Real"));
+    for (const char* const column : {"Length", "shape", "line"})
+      CHECK_THAT(told, Catch::Contains(std::string(column) + ": Integer"));
+    const Json back = features_by_ogr(file)["features"][0]["properties"];
+    CHECK(back["big"] == "123456789012345678901234567890");
+    CHECK(back["text"] == "-1 \"2");
+  }
+}
+
 TEST_CASE("the placemarks of a KML keep their attributes") {
   const TemporaryFolder folder;
   const std::string from = folder.write("parcels.geojson", kParcels).string();

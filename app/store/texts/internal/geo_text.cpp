@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/store/texts/internal/geo_text.h"
 
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
 #include <span>
+#include <system_error>
 
 #include "core/io/maps/gdal.h"
 #include "core/io/systems/map_conversion.h"
@@ -85,8 +90,49 @@ void append_wkt(std::string& out, StraightKind kind, const GeoParts& parts, std:
   out += parts.size() > 1 ? ")\n" : "\n";
 }
 
+void append_measure(std::string& out, double value) {
+  if (!std::isfinite(value)) {
+    out += "null";
+    return;
+  }
+  const std::size_t begin = out.size();
+  append_number(out, value);
+  if (out.find_first_of(".eE", begin) == std::string::npos) out += ".0";
+}
+
+namespace {
+
+/// JSON with whole numbers beyond 64 bits as strings.
+std::string with_large_integers_as_text(std::string_view json) {
+  std::string out;
+  std::size_t copied = 0;
+  for (std::size_t i = json.find_first_of("\"-0123456789"); i < json.size();) {
+    std::size_t end = i + 1;
+    if (json[i] == '"') {
+      while (end < json.size() && json[end] != '"') end += json[end] == '\\' ? std::size_t{2} : 1;
+      ++end;
+    } else {
+      end = std::min(json.find_first_not_of("0123456789+-.eE", i), json.size());
+      const std::string_view number = json.substr(i, end - i);
+      std::int64_t value = 0;
+      const auto read = std::from_chars(number.data(), number.data() + number.size(), value);
+      if (read.ec == std::errc::result_out_of_range && number.find_first_of(".eE") == std::string_view::npos) {
+        out += json.substr(copied, i - copied);
+        out += '"' + std::string(number) + '"';
+        copied = end;
+      }
+    }
+    i = json.find_first_of("\"-0123456789", end);
+  }
+  out += json.substr(copied);
+  return out;
+}
+
+}  // namespace
+
 Expected<std::string> map_file_of(std::string_view geojson, const char* driver, const std::optional<MapPlane>& map) {
-  return map_by_gdal(geojson, driver, map && is_on_earth(*map) ? std::optional(map->system) : std::nullopt);
+  return map_by_gdal(with_large_integers_as_text(geojson), driver,
+                     map && is_on_earth(*map) ? std::optional(map->system) : std::nullopt);
 }
 
 }  // namespace mes

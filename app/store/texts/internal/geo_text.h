@@ -25,6 +25,9 @@ using GeoParts = std::vector<GeoPart>;
 std::string begin_of_features(bool are_in_degrees);
 inline constexpr std::string_view kEndOfFeatures = "\n]}\n";
 
+/// A measure as JSON, always with a decimal point or an exponent, since readers take the type of a column from its
+/// values; `null` if it is not finite.
+void append_measure(std::string& out, double value);
 void append_geojson(std::string& out, StraightKind kind, const GeoParts& parts);
 /// `srid`: as `srid_of` gives it.
 void append_wkt(std::string& out, StraightKind kind, const GeoParts& parts, std::string_view srid);
@@ -35,7 +38,7 @@ std::string srid_of(const std::optional<MapPlane>& map);
 inline constexpr const char* kGeoPackage = "GPKG";
 inline constexpr const char* kFlatGeobuf = "FlatGeobuf";
 /// The features of GeoJSON in a file by a driver, in the coordinate system of the map. Error: as for `map_by_gdal`
-/// (core/io/maps/gdal.h).
+/// (core/io/maps/gdal.h). Whole numbers beyond 64 bits, which GDAL would clamp, become strings.
 Expected<std::string> map_file_of(std::string_view geojson, const char* driver, const std::optional<MapPlane>& map);
 
 }  // namespace mes

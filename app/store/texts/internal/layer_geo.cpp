@@ -15,14 +15,6 @@
 namespace mes {
 namespace {
 
-// A scalar may be infinite, for which JSON has no number.
-void append_json_number(std::string& out, double x) {
-  if (std::isfinite(x))
-    append_number(out, x);
-  else
-    out += "null";
-}
-
 using ShapesOf = std::vector<StraightShape> (*)(const LayerGeometry&, LayerIndex, LayerText&);
 
 std::vector<StraightShape> all_shapes_of(const LayerGeometry& geometry, LayerIndex layer, LayerText& out) {
@@ -59,17 +51,17 @@ void append_feature(std::string& out, std::string_view layer, const StraightShap
     out += ',';
     append_number(out, center.y);
     out += R"(],"radius":)";
-    append_number(out, shape.circle->radius);
+    append_measure(out, shape.circle->radius);
   }
   if (shape.scalar) {
     out += R"(,"scalar":)";
-    append_json_number(out, *shape.scalar);
+    append_measure(out, *shape.scalar);
   }
   if (!shape.scalars.empty()) {
     out += R"(,"scalars":)";
     for (std::size_t i = 0; i < shape.scalars.size(); ++i) {
       out += i == 0 ? '[' : ',';
-      append_json_number(out, shape.scalars[i]);
+      append_measure(out, shape.scalars[i]);
     }
     out += ']';
   }
