@@ -278,11 +278,14 @@ Expected<std::optional<CoordinateSystem>> MapShapes::system_of_positions(std::st
   }
   if (!system || !system->is_geographic || positions_.empty()) return system;
   const double half_turn = system->half_turn();
-  // Some files count longitudes from 0 to 360 degrees. Without a system a map of more than half a turn that does so may
-  // have coordinates of a plane.
-  const auto [west, east] = std::ranges::minmax(positions_, {}, &Vec2::x);
-  const bool counts_from_zero = west.x >= 0.0 && east.x - west.x <= half_turn;
-  const double longest = is_assumed && !counts_from_zero ? half_turn : 2.0 * half_turn;
+  // Some files count longitudes from 0 to 360 degrees, or go on across 360, or have features of both kinds. Without a
+  // system a map of more than half a turn that does so may have coordinates of a plane.
+  const auto from_zero = [half_turn](Vec2 p) { return p.x < 0.0 ? p.x + 2.0 * half_turn : p.x; };
+  const auto [west, east] = std::ranges::minmax(positions_, {}, from_zero);
+  const bool is_narrow = from_zero(east) - from_zero(west) <= half_turn;
+  const double longest = is_narrow && from_zero(west) > half_turn ? 3.0 * half_turn
+                         : is_narrow || !is_assumed               ? 2.0 * half_turn
+                                                                  : half_turn;
   const auto outside = std::ranges::find_if(
       positions_, [&](Vec2 p) { return std::abs(p.x) > longest || std::abs(p.y) > 0.5 * half_turn; });
   if (outside == positions_.end()) return system;

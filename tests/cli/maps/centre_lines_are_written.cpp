@@ -531,6 +531,38 @@ TEST_CASE("spikes of an outline are no part of it, in plain coordinates and in d
   }
 }
 
+TEST_CASE("longitudes may go on across 180 and 360, and features may count them differently") {
+  const auto box = [](double west) {
+    const Json low = west;
+    const Json high = west + 0.01;
+    const Json ring = {{low, 10}, {high, 10}, {high, 10.002}, {low, 10.002}, {low, 10}};
+    return Json{{"type", "Feature"},
+                {"properties", Json::object()},
+                {"geometry", {{"type", "Polygon"}, {"coordinates", Json::array({ring})}}}}
+        .dump();
+  };
+  const auto line = [](const std::string& feature) {
+    const RunResult result =
+        run({"centerline", "-"}, {.input = R"({"type":"FeatureCollection","features":[)" + feature + "]}"});
+    INFO(result.err);
+    REQUIRE(result.exit_code == 0);
+    CHECK_THAT(result.err, Catch::Contains("degrees are projected"));
+    return Json::parse(result.out)["features"];
+  };
+  const double length = line(box(10.0))[0]["properties"]["length"];
+  for (const double west : {179.995, -179.995, 200.0, 359.995, 355.0}) {
+    const Json found = line(box(west));
+    CHECK(found[0]["properties"]["length"].get<double>() == Approx(length).epsilon(1e-6));
+    const double start = found[0]["geometry"]["type"] == "MultiLineString"
+                             ? found[0]["geometry"]["coordinates"][0][0][0].get<double>()
+                             : found[0]["geometry"]["coordinates"][0][0].get<double>();
+    CHECK(std::abs(std::remainder(start - west, 360.0)) < 0.01);
+  }
+  const Json both = line(box(190.0) + ',' + box(-170.02));
+  REQUIRE(both.size() == 2);
+  for (const Json& found : both) CHECK(found["properties"]["length"].get<double>() == Approx(length).epsilon(1e-3));
+}
+
 TEST_CASE("a single open line has no centre line, by itself or as a feature") {
   for (const char* const line : {"LINESTRING (0 0, 100 0, 100 50)", "LINESTRING (0 0, 100 0)"})
     for (const std::vector<std::string>& options : {std::vector<std::string>{}, {"--exact"}, {"--vertices"}})
