@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numbers>
 #include <set>
 #include <vector>
@@ -259,6 +260,33 @@ TEST_CASE("what is decimated and then repaired to the same epsilon gets nothing 
   for (const Vec2 corner : {Vec2{0, 0}, Vec2{4, 0}, Vec2{4, 4}, Vec2{0, 4}})
     CHECK(std::ranges::count(thin.data.positions, corner) == 1);
   CHECK(thin.removed.size() > 40);
+}
+
+TEST_CASE("parcels with common borders keep an axis each, and become as few as a single one") {
+  // Two rectangles of 100 x 40 one above the other, with samples at each unit, of which the common side has one set.
+  SampleData data;
+  std::map<std::pair<double, double>, std::uint32_t> number_of;
+  for (const double low : {0.0, 40.0}) {
+    SampleData::Contour& contour = data.contours.emplace_back();
+    const auto add = [&](double x, double y) {
+      const auto [at, is_new] = number_of.try_emplace({x, low + y}, static_cast<std::uint32_t>(number_of.size()));
+      if (is_new) data.positions.push_back({x, low + y});
+      contour.points.push_back(at->second);
+    };
+    for (int i = 0; i < 100; ++i) add(i, 0);
+    for (int i = 0; i < 40; ++i) add(100, i);
+    for (int i = 0; i < 100; ++i) add(100 - i, 40);
+    for (int i = 0; i < 40; ++i) add(0, 40 - i);
+  }
+  const Decimation rest = decimated(data, 0.5);
+  CHECK(rest.components == 2);
+  CHECK(rest.cycles == 0);
+  CHECK(rest.removed.size() > 150);
+  TestBench bench;
+  bench.show({"medial-axis"});
+  bench.load(rest.data);
+  CHECK(bench.count("medial-axis", "components") == 2);
+  CHECK(bench.count("medial-axis", "cycles") == 0);
 }
 
 TEST_CASE("repair and decimation of an input in another unit are those of the input") {

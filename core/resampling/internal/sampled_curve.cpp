@@ -51,7 +51,8 @@ Expected<JudgedSamples> JudgedSamples::of(const Registry& registry, const Sample
                                           bool has_curves) {
   JudgedSamples out(registry);
   const std::shared_ptr<const CurveSource> source = has_curves ? data.source : nullptr;
-  if (auto good = out.bench_.load({.positions = data.positions, .source = source}); !good)
+  // Contours say which sides two outlines share.
+  if (auto good = out.bench_.load({.positions = data.positions, .contours = data.contours, .source = source}); !good)
     return std::unexpected(good.error());
   out.positions_ = data.positions;
   out.slots_ = out.bench_.document().slots_in_input_order();
