@@ -29,7 +29,8 @@ void ViewFitter::follow(const Document& document, const Frame& frame) {
   if (fitted_ && !fitted_->is_target && room != fitted_->room && !frame.is_held) fitted_.reset();
   if (!wanted_) return;
   const Box2 box = target_.value_or(document.bounding_box());
-  if (!box.is_empty())
+  // A target is what was seen in the whole free area, with the legend on it.
+  if (!box.is_empty() && !target_)
     view_.set_insets(clear_of_corner(room.panels, {static_cast<double>(room.width), static_cast<double>(room.height)},
                                      frame.legend, {box.width(), box.height()}));
   view_.fit(box, target_ ? 0.0 : kMargin * frame.content_scale, *wanted_ == How::at_once);

@@ -82,6 +82,24 @@ TEST_CASE("a target is fitted once, instead of the drawing and without a margin"
   CHECK(fitting.middle_px() == Approx(400.0));
 }
 
+TEST_CASE("a view that is noted and shown again is the same view, also under a legend") {
+  Fitting fitting;
+  fitting.fitter.want(ViewFitter::How::at_once);
+  fitting.draw(200.0);
+  fitting.view.pan({-30.0, 20.0});
+  const double scale = fitting.view.camera().units_per_pixel();
+  const double middle = fitting.middle_px();
+  for (int i = 0; i < 3; ++i) {
+    fitting.fitter.set_target(fitting.view.free_box());
+    fitting.fitter.want(ViewFitter::How::at_once);
+    fitting.view.set_insets({.right = 200.0});
+    fitting.fitter.follow(fitting.editor.document(), {.legend = {180.0, 260.0}});
+    fitting.view.set_insets({.right = 200.0});
+    CHECK(fitting.view.camera().units_per_pixel() == Approx(scale));
+    CHECK(fitting.middle_px() == Approx(middle));
+  }
+}
+
 TEST_CASE("what was shown since, such as a place or the selection, stays when panels come and go") {
   Fitting fitting;
   fitting.fitter.want(ViewFitter::How::at_once);
