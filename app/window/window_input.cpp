@@ -176,7 +176,8 @@ bool WindowInput::is_refused_by_gesture(ActionId action) {
 
 bool WindowInput::is_refused_on_panel(ActionId action) {
   const bool is_nudge = action >= ActionId::first_nudge && action <= ActionId::last_nudge;
-  if (!is_nudge || !is_on_panel_ || uses_.selection.is_empty() || uses_.presenter.is_on()) return false;
+  const bool is_of_selection = is_nudge || action == ActionId::delete_selection;
+  if (!is_of_selection || !is_on_panel_ || uses_.selection.is_empty() || uses_.presenter.is_on()) return false;
   uses_.messages.refusal(descriptor_of(action).name +
                          " is not possible now: the pointer is on a panel that was clicked, not on the drawing");
   return true;

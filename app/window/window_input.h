@@ -78,7 +78,7 @@ class WindowInput final : private WindowListener {
   /// Delivers the key again in the next frame, when the list or field is closed.
   void come_again(const KeyChord& chord, bool repeated);
   bool is_refused_by_gesture(ActionId action);
-  /// Arrow keys are not for the drawing while the pointer is on a panel that was clicked, such as a list.
+  /// Arrow keys and Delete are not for the drawing while the pointer is on a panel that was clicked, such as a list.
   bool is_refused_on_panel(ActionId action);
 
   Uses uses_;

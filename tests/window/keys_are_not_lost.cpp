@@ -287,6 +287,22 @@ TEST_CASE("menus are opened and gone through by keys alone") {
   CHECK(eventually([&] { return house.window.title().starts_with("* house.poff"); }));
 }
 
+TEST_CASE("Delete in a list that was clicked deletes no samples") {
+  const House house;
+  house.screen().xdotool("mousemove 500 700");
+  house.press("ctrl+a");
+  house.screen().click({1010, 219});  // a row of the layers
+  const Screenshot before = house.screen().settled();
+  const Screenshot refused = house.press("Delete");
+  CHECK(refused.changes(kStatus, before) > 100);
+  CHECK(refused.changes(kCanvas, before) == 0);
+  CHECK(house.window.title().starts_with("house.poff"));
+  house.screen().xdotool("mousemove 500 700");
+  static_cast<void>(house.screen().settled());
+  house.press("Delete");
+  CHECK(eventually([&] { return house.window.title().starts_with("* house.poff"); }));
+}
+
 TEST_CASE("arrow keys do not move samples while the pointer is on a panel that was clicked") {
   const House house;
   house.screen().xdotool("mousemove 500 700");
