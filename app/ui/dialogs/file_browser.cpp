@@ -235,6 +235,17 @@ bool FileBrowser::has_fitting_extension(const fs::path& file) const {
   return std::ranges::count(purpose_.extensions, lower_case_extension(file.filename().string())) > 0;
 }
 
+std::string FileBrowser::about_name() const {
+  const fs::path name(name_);
+  if (name.has_filename() && name.has_extension() && !has_fitting_extension(name))
+    return "Saved as " + name.filename().string() + extension_;
+  if (purpose_.heading.empty()) return ".json everything   .poff samples   .wpoff balls";
+  if (purpose_.extensions.size() < 2) return {};
+  std::string out;
+  for (const std::string& extension : purpose_.extensions) out += (out.empty() ? "" : "   ") + extension;
+  return out;
+}
+
 std::optional<fs::path> FileBrowser::accept() {
   const FileList::Entry* const row = files_.marked_row();
   // A marked folder is opened, even when saving a file.
@@ -389,8 +400,7 @@ std::optional<fs::path> FileBrowser::draw_choice(const Gui& gui) {
       if (checkbox("All files", &all_files_)) list_wanted();
     } else {
       ImGui::AlignTextToFramePadding();
-      const char* const formats = purpose_.heading.empty() ? ".json everything   .poff samples   .wpoff balls" : "";
-      ImGui::TextDisabled("%s", elided(formats, ImGui::GetContentRegionAvail().x - buttons - 8 * unit).c_str());
+      ImGui::TextDisabled("%s", elided(about_name(), ImGui::GetContentRegionAvail().x - buttons - 8 * unit).c_str());
     }
     ImGui::SameLine();
     const char* verb = is_saving_ ? "Save" : "Open";

@@ -86,6 +86,8 @@ class FileBrowser final : public Dialog {
   bool draw_overwrite_question(const Gui& gui);
   /// True if the name can be saved as it is; otherwise it gets the extension of the proposed name.
   bool has_fitting_extension(const std::filesystem::path& file) const;
+  /// The endings that the file to be saved may have, or the name that it gets for the one typed.
+  std::string about_name() const;
   /// Returns the content of the name field as a path; enters it if it is a folder.
   std::optional<std::filesystem::path> accept();
 
