@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <utility>
 
 #include "app/layers/changed_parameters.h"
 #include "app/layers/words/parameter_words.h"
@@ -116,7 +117,7 @@ double ParametersPanel::longest() const {
   return 2.0 / picture_.scene().frame().scale;
 }
 
-void ParametersPanel::draw_value(const Parameter& descriptor, double& value) const {
+void ParametersPanel::draw_value(const Parameter& descriptor, double& value) {
   if (const auto choices = descriptor.choices; !choices.empty()) {
     const auto chosen = static_cast<std::size_t>(value);
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
@@ -133,12 +134,15 @@ void ParametersPanel::draw_value(const Parameter& descriptor, double& value) con
                                                                  : ' ' + std::string(descriptor.unit);
     const std::string format = (descriptor.is_whole ? "%.0f" : "%.5g") + unit_text;
     std::optional<double> beyond;
+    // The palette has the keyboard until it is closed.
+    const bool takes_keyboard = !gui_.has_popup() && std::exchange(gives_keyboard_, false);
     slider(gui_, "##value", value, descriptor.low, descriptor.high,
            {.format = format.c_str(),
             .is_logarithmic = is_wide(descriptor),
             .is_whole = descriptor.is_whole,
             .end = descriptor.is_length ? longest() : 0.0,
-            .beyond = &beyond});
+            .beyond = &beyond,
+            .takes_keyboard = takes_keyboard});
     if (beyond) take_within(descriptor, *beyond);
   }
   tooltip(gui_, parameter_explanation(descriptor));

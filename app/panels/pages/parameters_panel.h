@@ -35,13 +35,17 @@ class ParametersPanel {
         messages_(messages) {}
 
   void draw();
-  void search(const std::string& text) { search_ = text; }
+  /// Lists the parameters with this name; the number of the first can be typed at once.
+  void search(const std::string& text) {
+    search_ = text;
+    gives_keyboard_ = true;
+  }
 
  private:
   void draw_parameter(const Parameter& parameter);
   /// Clamps a typed number to the range, and reports if it was outside.
   void take_within(const Parameter& descriptor, double& value) const;
-  void draw_value(const Parameter& descriptor, double& value) const;
+  void draw_value(const Parameter& descriptor, double& value);
   void draw_animation(const Parameter& parameter);
   /// Begins or gives up the table of the visible layers for the values of the animation.
   void draw_sweep(const Parameter& parameter);
@@ -68,6 +72,7 @@ class ParametersPanel {
   SweepJob& sweep_;
   Messages& messages_;
   std::string search_;
+  bool gives_keyboard_ = false;
 };
 
 }  // namespace mes

@@ -69,6 +69,7 @@ bool slider(const Gui& gui, const char* label, double& value, double low, double
   }
   ImGui::SameLine(0, gap);
   ImGui::SetNextItemWidth(kField * gui.unit());
+  if (look.takes_keyboard) ImGui::SetKeyboardFocusHere();
   double typed = value;
   const SliderLook::Range range = look.typed.value_or(SliderLook::Range{low, high});
   const bool is_typed = number_field("##number", typed, look.format, [&](double number) {

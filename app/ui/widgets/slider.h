@@ -22,6 +22,7 @@ struct SliderLook {
   /// If given, it receives a typed number out of the range, and the nearest permitted number is taken. Otherwise such
   /// a number is refused at the field, with the reason.
   std::optional<double>* beyond = nullptr;
+  bool takes_keyboard = false;  ///< the number can be typed at once, in place of the old one
 };
 
 /// The width of the slider itself, if it is `width` wide together with its number.
