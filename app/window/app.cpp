@@ -121,7 +121,7 @@ bool App::end_lesson() {
 // Each press of Esc ends one thing.
 void App::deselect() {
   if (demo_.is_running())
-    demo_.end(true);
+    demo_.finish();
   else if (!board_.canvas().cancel_gesture() && !panels_.close_large() && !cancel_lesson_export() &&
            !work_.annotations().close() && !panels_.close_messages() && !board_.canvas().clear_tool() &&
            !board_.provenance().clear() && !clear_selection() && !end_lesson() && !panels_.end_presentation())

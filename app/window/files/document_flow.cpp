@@ -236,7 +236,12 @@ void DocumentFlow::start_demo() {
     report(session.error());
     return;
   }
+  before_demo_ = opened_;
+  if (!files_.file().empty()) before_demo_ = {{files_.file()}, {}};
+  if (!files_.has_session_file() && !files_.sample_file().empty() && !files_.ball_file().empty())
+    before_demo_ = {{files_.sample_file(), files_.ball_file()}, {}};
   start_empty();
+  opened_ = {};
   uses_.messages.clear();
   uses_.demo.start(*session);
   // The selection and the clicked elements belong to another document.
@@ -244,7 +249,17 @@ void DocumentFlow::start_demo() {
   uses_.screen.clock.settle();
 }
 
+void DocumentFlow::open_from_before_demo() {
+  const Opened before = std::exchange(before_demo_, {});
+  if (before.files.empty()) return;
+  if (before.shape.empty())
+    open_documents(before.files);
+  else
+    files_.open_shape(before.files.front(), before.shape);
+}
+
 void DocumentFlow::take_results() {
+  if (uses_.demo.take_finished()) open_from_before_demo();
   take_read_file();
   ask_before_read_file();
   uses_.dialogs.recover.set_waits(recovering_.has_value());

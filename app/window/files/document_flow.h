@@ -108,6 +108,7 @@ class DocumentFlow {
   /// Discards what belongs only to the previous document.
   void leave_document();
   void start_demo();
+  void open_from_before_demo();
   /// The condition under which its lesson can be presented.
   ActionBindings::Condition when_presentable() const;
 
@@ -174,11 +175,18 @@ class DocumentFlow {
   std::vector<std::filesystem::path> map_files_;  // files that were opened, and can be read again in another way
   std::optional<MapDegrees> map_degrees_;         // treatment of their longitude and latitude
   std::string map_system_;                        // the system that was named for them
-  bool reads_map_again_ = false;                  // waits until nothing else is being read
-  bool presents_next_ = false;                    // the lesson being read is presented next
-  std::optional<LeftWork> recovering_;            // the work being read
-  std::vector<LeftWork> recovered_;               // recovered works whose files still exist
-  bool asks_about_read_ = false;                  // asked whether the read file may replace new work
+  /// What a document was opened from: files, or a shape of this title.
+  struct Opened {
+    std::vector<std::filesystem::path> files;
+    std::string shape;
+  };
+  Opened opened_;
+  Opened before_demo_;
+  bool reads_map_again_ = false;        // waits until nothing else is being read
+  bool presents_next_ = false;          // the lesson being read is presented next
+  std::optional<LeftWork> recovering_;  // the work being read
+  std::vector<LeftWork> recovered_;     // recovered works whose files still exist
+  bool asks_about_read_ = false;        // asked whether the read file may replace new work
   bool had_first_file_ = false;
   bool offers_left_work_ = true;
   bool is_left_ = false;

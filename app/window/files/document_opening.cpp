@@ -184,6 +184,7 @@ void DocumentFlow::take_read_file() {
   }
   if (outcome->is_recovered && recovered) return take_recovered(*outcome, *std::move(recovered));
   uses_.demo.end(true);
+  opened_ = {outcome->is_made ? std::vector<fs::path>{} : outcome->files, outcome->is_shape ? files_.title() : ""};
   leave_document();
   if (!outcome->is_shape && !outcome->session) {
     map_files_ = outcome->files;

@@ -11,6 +11,7 @@
 namespace mes {
 
 void DemoRun::start(const Session& session) {
+  is_finished_ = false;
   run_ = Run{.playback = Playback(session.entries),
              .document = work_.document().revision(),
              .layers_before = work_.layers().configuration(),
@@ -24,6 +25,11 @@ void DemoRun::end(bool restore) {
   work_.editor().mark_saved();
   work_.layers().set_configuration(run.layers_before);
   work_.computation().set(run.settings_before);
+}
+
+void DemoRun::finish() {
+  is_finished_ = is_running();
+  end(true);
 }
 
 std::optional<double> DemoRun::next_due(double now) const {
@@ -58,7 +64,7 @@ bool DemoRun::advance(double now, bool may_step) {
   }
   if (run_->is_paused || now < run_->not_before || !may_step) return false;
   if (run_->next == run_->playback.steps().size()) {
-    end(true);
+    finish();
     messages_.remark("The demo has ended");
     return false;
   }
@@ -131,11 +137,11 @@ bool DemoRun::draw(const Gui& gui, ImVec2 middle, float width) {
   }
   ImGui::SameLine(0, 2 * unit);
   const bool ends = icon_button("end", Icon::close, button);
-  tooltip(gui, is_interrupted ? "Keep the drawing, and forget the demo"
-                              : "End the demo (Esc); layers and number type are then as before");
+  tooltip(gui,
+          is_interrupted ? "Keep the drawing, and forget the demo" : "End the demo (Esc); your document comes back");
   ImGui::End();
   if (goes_on) go_on();
-  if (ends) end(true);
+  if (ends) finish();
   return begins_again;
 }
 

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "app/actions/messages.h"
 #include "app/panes/view_fitter.h"
@@ -26,6 +27,10 @@ class DemoRun : private Stage {
   void start(const Session& session);
   /// `restore`: restores layers and settings, and leaves nothing that would have to be saved.
   void end(bool restore);
+  /// Ends it at its last step or by the user, so that the document from before can come back.
+  void finish();
+  /// Whether it was finished since the last call, and its drawing was not edited.
+  bool take_finished() { return std::exchange(is_finished_, false); }
   bool is_running() const { return run_ && !run_->is_interrupted; }
   /// Caption of the present step; empty while the demo does not run.
   std::string caption() const { return is_running() ? run_->playback.caption() : std::string(); }
@@ -60,6 +65,7 @@ class DemoRun : private Stage {
   ViewFitter& fitter_;
   Messages& messages_;
   std::optional<Run> run_;
+  bool is_finished_ = false;
 };
 
 }  // namespace mes

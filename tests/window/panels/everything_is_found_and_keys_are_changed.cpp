@@ -149,6 +149,34 @@ TEST_CASE("an edit of the demo's drawing interrupts the demo, and the demo goes 
   CHECK(window.program.is_running());
 }
 
+TEST_CASE("the document from before the demo comes back when the demo ends") {
+  SearchedWindow window;
+  static_cast<void>(window.drawn());
+  const std::string before = window.title();
+  window.find("demo");
+  REQUIRE(eventually([&] { return window.title() != before; }));
+  window.press("Escape");
+  CHECK(eventually([&] { return window.title() == before; }));
+  CHECK(window.program.is_running());
+}
+
+TEST_CASE("the number of a parameter that was found is typed at once, and then keys are the window's again") {
+  SearchedWindow window;
+  static_cast<void>(window.drawn());
+  window.find("lambda limit");
+  const Screenshot found = window.screen.settled();
+  window.screen.xdotool("type --delay 20 '40'");
+  window.press("Return");
+  // The status bar names the parameter that has another value than its default.
+  constexpr PixelBox kChips{300, 775, 620, 798};
+  REQUIRE(eventually([&] { return window.screen.settled().changes(kChips, found) > 100; }));
+  const Screenshot typed = window.screen.settled();
+  constexpr PixelBox kTools{12, 36, 52, 110};
+  CHECK(typed.changes(kTools, found) == 0);
+  window.press("i");
+  CHECK(eventually([&] { return window.screen.settled().changes(kTools, typed) > 100; }));
+}
+
 TEST_CASE("a format of geometry is found by its name") {
   const SearchedWindow window;
   static_cast<void>(window.drawn());
