@@ -47,7 +47,7 @@ App::App(LiveRegistry registry, std::unique_ptr<GlfwWindow> window, const std::f
                dialogs_.manual, settings_.settings(), messages_}),
       input_({screen_, board_.canvas(), work_.editor().selection(), work_.annotations(), dialogs_, documents_,
               experiments_, recording_, keys_.actions(), messages_, panels_.presenter(), panels_.mark_drag(),
-              [this] { board_.open_menu(); }}) {
+              [this] { board_.open_menu(); }, [this](std::ptrdiff_t rows) { return panels_.step_in_list(rows); }}) {
   bind_actions();
   recording_.recorder().set_take_source([this] { return session_for_lesson(documents_.session_now()); });
   dialogs_.browser.use_formats(work_.live_registry());

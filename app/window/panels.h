@@ -85,6 +85,8 @@ class Panels {
   bool is_seen(PanelPage page) const { return are_shown_ && uses_.settings.panels.is_in_use(page); }
   /// Closes the large window of a diagram; returns false if there was none.
   bool close_large();
+  /// Moves the choice in the list under the pointer. Returns false if there is none.
+  bool step_in_list(std::ptrdiff_t rows) { return column_.step(rows); }
 
   /// The free area of the window, in framebuffer pixels.
   struct Room {

@@ -183,6 +183,18 @@ bool WindowInput::is_refused_on_panel(ActionId action) {
   return true;
 }
 
+bool WindowInput::steps_in_list(const KeyChord& chord) {
+  if (!is_on_panel_ || uses_.presenter.is_on() || chord.modifiers != Modifiers{}) return false;
+  constexpr std::ptrdiff_t kPage = 10;
+  switch (chord.symbol) {
+    case key::up: return uses_.step_in_list(-1);
+    case key::down: return uses_.step_in_list(1);
+    case key::page_up: return uses_.step_in_list(-kPage);
+    case key::page_down: return uses_.step_in_list(kPage);
+    default: return false;
+  }
+}
+
 void WindowInput::run_by_key(const KeyChord& chord, bool repeated) {
   const auto action = action_of(chord);
   // The record key ends a recording even during a question.
@@ -191,6 +203,7 @@ void WindowInput::run_by_key(const KeyChord& chord, bool repeated) {
   if (is_for_dialogs && is_for_panels(chord, repeated)) return;
   DocumentFiles& files = uses_.documents.files();
   if (chord.symbol == key::escape && !uses_.canvas.has_pointer() && files.is_reading()) return files.cancel_reading();
+  if (steps_in_list(chord)) return;
   if (!action || (repeated && !descriptor_of(*action).repeats)) return;
   if (is_refused_by_gesture(*action) || is_refused_on_panel(*action)) return;
   uses_.messages.clear_refusal();

@@ -38,7 +38,8 @@ class WindowInput final : private WindowListener {
     Messages& messages;
     Presenter& presenter;
     MarkDrag& mark_drag;
-    std::function<void()> open_menu;  ///< opens the menu of a right click on the canvas
+    std::function<void()> open_menu;                        ///< opens the menu of a right click on the canvas
+    std::function<bool(std::ptrdiff_t rows)> step_in_list;  ///< false: there is no list under the pointer
   };
   explicit WindowInput(const Uses& uses);
   ~WindowInput() override;
@@ -80,6 +81,8 @@ class WindowInput final : private WindowListener {
   bool is_refused_by_gesture(ActionId action);
   /// Arrow keys and Delete are not for the drawing while the pointer is on a panel that was clicked, such as a list.
   bool is_refused_on_panel(ActionId action);
+  /// Arrow keys move the choice in a list that was clicked. Returns false if there is none.
+  bool steps_in_list(const KeyChord& chord);
 
   Uses uses_;
   EventQueue events_;

@@ -61,6 +61,20 @@ TEST_CASE("a shape is made as a document of its own, and Esc makes none") {
   for (const Vec2 p : file->data.positions) CHECK(std::abs(length(p) - 1.0) < 1e-14);
 }
 
+TEST_CASE("arrow keys choose a shape") {
+  DrivenProgram window;
+  window.folder.write("house.poff", "POFF 5 0 0\n0 0\n4 0\n4 3\n2 5\n0 3\n");
+  window.start("house.poff");
+  open_dialog(window, window.drawn(), "make-shape");
+  window.press("Down");
+  static_cast<void>(window.screen.settled());
+  window.press("Return");
+  REQUIRE(eventually([&] { return !is_dimmed(window.screen); }));
+  static_cast<void>(window.drawn());
+  CHECK(window.title().starts_with("* "));
+  CHECK_FALSE(window.title().starts_with("* Circle"));
+}
+
 TEST_CASE("what a parameter of a shape may be is typed, also where its slider ends before") {
   constexpr std::array<int, 2> kRadius{601, 167};
   DrivenProgram window;

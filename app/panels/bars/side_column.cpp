@@ -30,6 +30,7 @@ const SidePage& SideColumn::page_of(PanelPage page) const {
 }
 
 float SideColumn::draw(float top, float height) {
+  pointed_at_.reset();
   PanelChoice& panels = settings_.panels;
   const float unit = gui_.unit();
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
@@ -83,6 +84,13 @@ float SideColumn::draw_rail(float top, float height) {
   return width;
 }
 
+bool SideColumn::step(std::ptrdiff_t rows) {
+  if (!pointed_at_) return false;
+  const SidePage& page = page_of(*pointed_at_);
+  if (page.step) page.step(rows);
+  return static_cast<bool>(page.step);
+}
+
 void SideColumn::draw_panel(const SidePage& page, const PanelArea& area) {
   const std::string name = "##panel-" + std::string(id_of(page.page));
   if (begin_panel(name.c_str(), area, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse)) {
@@ -90,6 +98,7 @@ void SideColumn::draw_panel(const SidePage& page, const PanelArea& area) {
     ImGui::BeginChild("##content");
     page.draw();
     ImGui::EndChild();
+    if (ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows)) pointed_at_ = page.page;
   }
   ImGui::End();
 }

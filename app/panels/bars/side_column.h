@@ -2,7 +2,9 @@
 // The panels at the right edge of the window, and the rail of icons that opens them.
 #pragma once
 
+#include <cstddef>
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -22,6 +24,8 @@ struct SidePage {
   bool begins_group = false;      ///< a line of the rail is above its icon
   std::function<void()> draw{};   ///< draws the content
   std::function<void()> large{};  ///< draws the content of the large window; empty: the panel has none
+  /// Chooses the row so many rows below the chosen one, as far as there are; empty: the panel has no list of rows.
+  std::function<void(std::ptrdiff_t)> step{};
 };
 
 /// A panel has the height of the column, or shares it with a second one. Width, share and open panels are settings.
@@ -37,6 +41,8 @@ class SideColumn {
   float draw(float top, float height);
   /// The width of the panels alone, when they were last drawn.
   float panels_width() const { return panels_width_; }
+  /// Moves the choice in the list of the panel under the pointer. Returns false if there is none.
+  bool step(std::ptrdiff_t rows);
   /// Draws the window over the canvas if there is one; `room` is the area of the canvas.
   void draw_large(const PanelArea& room);
 
@@ -52,6 +58,7 @@ class SideColumn {
   Settings& settings_;
   std::vector<SidePage> pages_;
   float panels_width_ = 0.0F;
+  std::optional<PanelPage> pointed_at_;
 };
 
 }  // namespace mes

@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "app/ui/dialogs/large_dialog.h"
 #include "app/ui/screen/theme.h"
@@ -60,12 +61,25 @@ bool ShapeDialog::follow_registry() {
 }
 
 void ShapeDialog::press(const KeyChord& chord) {
-  if (chord.symbol == key::enter && !ImGui::IsAnyItemActive()) maker_.accept();
+  if (ImGui::IsAnyItemActive()) return;
+  if (chord.symbol == key::enter) maker_.accept();
+  if (chord.symbol == key::up) choose_beside(-1);
+  if (chord.symbol == key::down) choose_beside(1);
+}
+
+void ShapeDialog::choose_beside(std::ptrdiff_t rows) {
+  const auto all = shapes();
+  const auto at = std::ranges::find(
+      all, chosen_id_, [](const auto& shape) -> const auto& { return shape->id; });
+  if (at == all.end()) return;
+  chosen_id_ = all[row_beside(at - all.begin(), rows, all.size())]->id;
+  is_chosen_by_key_ = true;
 }
 
 void ShapeDialog::draw_list(const Gui& gui) {
   for (const auto& one : shapes()) {
     if (ImGui::Selectable(one->name.c_str(), one->id == chosen_id_)) chosen_id_ = one->id;
+    if (one->id == chosen_id_ && std::exchange(is_chosen_by_key_, false)) ImGui::SetScrollHereY();
     tooltip(gui, one->explanation);
   }
   follow_registry();

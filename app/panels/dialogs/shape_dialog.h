@@ -39,11 +39,12 @@ class ShapeDialog final : public Dialog {
   }
   void follow() override { maker_.follow(); }
   void draw(const Gui& gui) override;
-  /// Enter makes the shape, unless the user is typing.
+  /// Enter makes the shape, and arrow keys choose one, unless the user is typing.
   void press(const KeyChord& chord) override;
 
  private:
   void draw_list(const Gui& gui);
+  void choose_beside(std::ptrdiff_t rows);
   void draw_parameters(const Gui& gui);
   /// Requests the samples again if a parameter has changed.
   void follow_wish();
@@ -58,6 +59,7 @@ class ShapeDialog final : public Dialog {
   std::optional<LiveRegistry> registry_;
   bool is_open_ = false;
   std::string chosen_id_;                  // id of a shape
+  bool is_chosen_by_key_ = false;          // the list has to scroll to it
   std::map<std::string, Choice> choices_;  // by id of the shape
   Choice* chosen_ = nullptr;               // points into `choices_`; null before the first choice
   SamplingControls sampling_;

@@ -332,6 +332,13 @@ void BranchesPanel::draw_table() {
   ImGui::PopStyleVar();
 }
 
+void BranchesPanel::step(std::ptrdiff_t rows) {
+  if (rows_.empty() || !uses_.latest.is_current()) return;
+  const auto chosen = uses_.latest.chosen();
+  const auto at = chosen ? std::ranges::find(rows_, *chosen) : rows_.end();
+  uses_.latest.choose(at == rows_.end() ? rows_.front() : rows_[row_beside(at - rows_.begin(), rows, rows_.size())]);
+}
+
 void BranchesPanel::draw_row(std::size_t row) {
   const BranchTable& table = *uses_.latest.table();
   const AxisBranch& branch = table.branches[row];

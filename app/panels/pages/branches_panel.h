@@ -35,6 +35,8 @@ class BranchesPanel {
   void draw();
   /// Draws the diagram as on paper, into a window of its own.
   void draw_large();
+  /// Chooses a row of the table.
+  void step(std::ptrdiff_t rows);
 
  private:
   /// Follows the document. Returns false without a table, and then draws the reason.

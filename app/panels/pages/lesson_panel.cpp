@@ -62,6 +62,18 @@ void LessonPanel::draw() {
   if (chosen) draw_chosen(caption);
 }
 
+void LessonPanel::step(std::ptrdiff_t rows) {
+  const std::size_t count =
+      presenter_.is_running() ? presenter_.lesson().steps.size() : lesson_editor_.lesson().steps.size();
+  if (count == 0) return;
+  const auto chosen = presenter_.is_running() ? std::optional(presenter_.step()) : lesson_editor_.chosen();
+  const std::size_t next = chosen ? row_beside(static_cast<std::ptrdiff_t>(*chosen), rows, count) : 0;
+  if (presenter_.is_running())
+    go_to_(next);
+  else
+    lesson_editor_.choose(next);
+}
+
 void LessonPanel::draw_head() {
   const float unit = gui_.unit();
   const auto button = [this](const char* label, ActionId id) {

@@ -27,6 +27,8 @@ class LessonPanel {
         go_to_(std::move(go_to)) {}
 
   void draw();
+  /// Chooses a step, or shows it while the lesson is presented.
+  void step(std::ptrdiff_t rows);
 
  private:
   void draw_head();

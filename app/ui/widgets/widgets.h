@@ -2,6 +2,8 @@
 // The common parts of all panels: their frames, and explanations of the item under the pointer.
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
@@ -71,6 +73,11 @@ struct TooltipRoom {
 /// below a wide panel. In a dialog, and where the panel leaves no room, it stands beside the control. It stays within
 /// the window and does not cover the control; the result is empty if that is impossible.
 std::optional<ImVec2> tooltip_place(const TooltipRoom& room);
+
+/// The row so many rows after another one of `count`, the first or the last if there are fewer.
+inline std::size_t row_beside(std::ptrdiff_t row, std::ptrdiff_t steps, std::size_t count) {
+  return static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(row + steps, 0, static_cast<std::ptrdiff_t>(count) - 1));
+}
 
 /// Explains the last item when the pointer rests on it, even if it is disabled.
 void tooltip(const Gui& gui, const std::string& text);

@@ -198,6 +198,23 @@ TEST_CASE("the chosen row of the table of branches looks like no other, with the
   }
 }
 
+TEST_CASE("arrow keys go from row to row of the table of branches, and move no samples") {
+  const Page page("shift+b", output_of(std::string(MESECINA_BINARY) + " shape gear --samples 300"));
+  page.window.press("ctrl+a");
+  page.screen().click({1043, 540});
+  const Screenshot first = page.screen().settled();
+  page.window.press("Down");
+  // Another branch is marked on the canvas.
+  REQUIRE(eventually([&] { return page.screen().settled().changes(kCanvas, first) > 20; }));
+  const Screenshot second = page.screen().settled();
+  page.window.press("Down");
+  REQUIRE(eventually([&] { return page.screen().settled().changes(kCanvas, second) > 20; }));
+  page.window.press("Up");
+  page.window.press("Up");
+  CHECK(eventually([&] { return page.screen().settled().changes(kCanvas, first) == 0; }));
+  CHECK(page.window.title().starts_with("samples.poff"));
+}
+
 TEST_CASE("a click on a sample chooses its component, and the diagram stays where it is") {
   const Page page("shift+g");
   const Screenshot before = page.at_rest();
