@@ -147,7 +147,8 @@ void describe_export(const Registry& registry, CLI::App& app, ExportRequest& to)
       "--cells", to.cells,
       "The Voronoi cells of the samples are written instead, as polygons in geojson, wkt, gpkg or fgb, as far as\n"
       "box: that of the samples, with a tenth of its longer side all around; hull: their convex hull;\n"
-      "outline: what the curves of FILE enclose, where points beside the curves have the cells");
+      "outline: what the curves of FILE enclose, where points beside the curves have the cells.\n"
+      "Cells of points of a map have the attributes of their features");
   exported->add_option("--table", to.table, "Which table of the structure, if it has several");
   exported
       ->add_option(

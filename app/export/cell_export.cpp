@@ -138,6 +138,12 @@ Expected<void> clip(std::vector<TextCell>& cells, const ClipRegion& region, JobC
 
 }  // namespace
 
+const std::vector<Vec2>& points_with_cells(const SampleData& data, CellRegion region) {
+  const CurveSet* const curves = data.source ? data.source->curves.get() : nullptr;
+  const bool has_own_points = region == CellRegion::outline && curves != nullptr && !curves->points.empty();
+  return has_own_points ? curves->points : data.positions;
+}
+
 CellRegion usual_region_of(const SampleData& data) {
   const CurveSet* const curves = data.source ? data.source->curves.get() : nullptr;
   const bool has_outline =
@@ -147,10 +153,9 @@ CellRegion usual_region_of(const SampleData& data) {
 
 Expected<CellText> compute_cell_text(const Registry& registry, const SampleData& data, CellRegion region,
                                      std::string_view format, JobControl& job,
-                                     const std::function<void(std::string_view)>& on_task) {
+                                     const std::function<void(std::string_view)>& on_task, const CellOwners& owners) {
   const CurveSet* const curves = data.source ? data.source->curves.get() : nullptr;
-  const bool has_own_points = region == CellRegion::outline && curves != nullptr && !curves->points.empty();
-  const std::vector<Vec2>& points = has_own_points ? curves->points : data.positions;
+  const std::vector<Vec2>& points = points_with_cells(data, region);
   if (points.empty()) return cell_text({}, data.map, format);
   const Box2 box = box_around(points, curves == nullptr ? Box2() : bounds_of(curves->curves));
   const auto limits = region_of(region, points, curves, box);
@@ -164,10 +169,19 @@ Expected<CellText> compute_cell_text(const Registry& registry, const SampleData&
   if (auto good = bench.run_or_throw(job); !good) return std::unexpected(good.error());
 
   auto cells = cells_of(delaunay, bench.get<Samples>(), box);
+  const std::size_t without_cell = points.size() - cells.size();
   if (!limits->is_plane())
     if (auto good = clip(cells, *limits, job); !good) return std::unexpected(good.error());
   std::ranges::sort(cells, {}, &TextCell::sample);
-  return cell_text(cells, data.map, format);
+  if (owners.of_point.size() == points.size())
+    for (TextCell& cell : cells) {
+      const CellOwner& owner = owners.of_point[cell.sample];
+      cell.id = owner.id;
+      cell.properties = owner.properties;
+    }
+  auto out = cell_text(cells, data.map, format, owners.columns);
+  if (out) out->without_cell = without_cell;
+  return out;
 }
 
 }  // namespace mes

@@ -4,7 +4,9 @@
 
 #include <cstdint>
 #include <functional>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "app/store/texts/cell_text.h"
 #include "core/base/jobs/job_control.h"
@@ -24,7 +26,23 @@ enum class CellRegion : std::uint8_t {
 /// The outline of data with closed curves and isolated points, else the box.
 CellRegion usual_region_of(const SampleData& data);
 
-/// The cells in the order of their samples; of samples at one place, the first has it. Cells outside the region are
+/// The feature that a point belongs to.
+struct CellOwner {
+  std::string id{};          ///< JSON; empty: none
+  std::string properties{};  ///< JSON members
+};
+
+/// What the cells of the points of a map have beside their own numbers: the owner of each point, in the order of the
+/// file, or nothing at all.
+struct CellOwners {
+  std::vector<CellOwner> of_point{};
+  CellColumns columns{};
+};
+
+/// The points that have cells: those beside the curves if the region is their outline, else all samples.
+const std::vector<Vec2>& points_with_cells(const SampleData& data, CellRegion region);
+
+/// The cells in the order of their samples; of samples at one place, the first has it, and the others are counted. Cells outside the region are
 /// left out. Data with curves and isolated points, such as wells in a county, have cells of the points alone within
 /// their outline. Curved sides become chains of up to 96 sides a turn.
 ///
@@ -33,6 +51,7 @@ CellRegion usual_region_of(const SampleData& data);
 /// of each structure before it begins.
 Expected<CellText> compute_cell_text(const Registry& registry, const SampleData& data, CellRegion region,
                                      std::string_view format, JobControl& job,
-                                     const std::function<void(std::string_view)>& on_task = {});
+                                     const std::function<void(std::string_view)>& on_task = {},
+                                     const CellOwners& owners = {});
 
 }  // namespace mes

@@ -7,7 +7,6 @@
 #include <map>
 #include <mutex>
 #include <optional>
-#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -44,15 +43,18 @@ struct CenterlineJob {
   const LineTextFormat* format = nullptr;
 };
 
+/// Of our columns whose names a feature has, too.
+constexpr std::string_view kPrefix = "centerline_";
+
 /// Everything that will be written, with counts for the summary.
 struct CenterlineResult {
   std::vector<TextLine> lines{};
   std::string table{};  ///< of stations
   std::size_t stations = 0;
   CenterLineTotals totals{};
-  std::optional<MapPlane> map{};               ///< of the first lines, whose unit all lengths have
-  std::set<std::string, std::less<>> taken{};  ///< names of properties of any feature, in lower case
-  std::string failure{};                       ///< counts features without a line; empty if there are none
+  std::optional<MapPlane> map{};  ///< of the first lines, whose unit all lengths have
+  PropertyNames names{};
+  std::string failure{};  ///< counts features without a line; empty if there are none
 };
 
 Expected<Vec2> point_between(const std::string& text) {
@@ -155,31 +157,18 @@ void add_station_rows(std::string& table, std::size_t shape, std::size_t line, c
   }
 }
 
-std::string in_lower_case(std::string name) {
-  for (char& c : name)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return name;
-}
-
-/// The name, with a prefix if a feature has a property of that name: a column has one meaning in all rows. Columns of a
-/// GeoPackage differ in more than case.
-std::string free_name(std::string name, const CenterlineResult& out) {
-  while (out.taken.contains(name)) name.insert(0, "centerline_");
-  return name;
-}
-
 /// Formats without ids of their own get the id as a property.
 void add_numbers(TextLine& line, const Feature& feature, std::vector<TextNumber> numbers, const CenterlineJob& job,
                  const CenterlineResult& out) {
   for (TextNumber& number : numbers) {
-    number.name = free_name(std::move(number.name), out);
+    number.name = out.names.free_name(std::move(number.name), kPrefix);
     line.numbers.push_back(std::move(number));
   }
   line.id = feature.id;
   line.properties = feature.properties;
   if (feature.id.empty() || job.format->name == "geojson") return;
   if (!line.properties.empty()) line.properties += ',';
-  line.properties += fmt::format("\"{}\":{}", free_name("feature_id", out), feature.id);
+  line.properties += fmt::format("\"{}\":{}", out.names.free_name("feature_id", kPrefix), feature.id);
 }
 
 /// Size of a length of the plane in the unit that lengths of the first map are written in. Error: `bad_input`, if one of
@@ -342,8 +331,7 @@ Expected<void> process_features(const Registry& registry, const std::string& fil
                                 CenterlineResult& out) {
   std::vector<Expected<FoundLines>> found(list.features.size());
   std::vector<std::vector<std::string>> warnings(found.size());
-  for (const Feature& feature : list.features)
-    for (const std::string& key : feature.keys) out.taken.insert(in_lower_case(key));
+  out.names = PropertyNames(list.features);
   std::mutex progress_mutex;
   std::size_t finished = 0;
   run_tasks(list.features.size(), [&](std::size_t i) {

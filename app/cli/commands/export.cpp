@@ -9,11 +9,14 @@
 #include "app/cli/console/messages.h"
 #include "app/cli/console/output.h"
 #include "app/cli/console/progress.h"
+#include "app/cli/requests/feature_list.h"
+#include "app/cli/requests/input.h"
 #include "app/cli/requests/names.h"
 #include "app/cli/requests/session_settings.h"
 #include "app/export/cell_export.h"
 #include "app/export/geometry_export.h"
 #include "app/store/texts/layer_text.h"
+#include "core/base/jobs/parallel.h"
 #include "core/graph/registry.h"
 #include "core/io/text/text_numbers.h"
 
@@ -24,6 +27,51 @@ Expected<const LayerTextFormat*> select_format(const std::string& name) {
   if (const LayerTextFormat* const format = find_layer_text_format(name)) return format;
   return usage_error(
       fmt::format("unknown export format {}; it is one of {}", in_quotes(name), one_of(export_formats())));
+}
+
+/// The features that the points with cells belong to; none if the file has no features with properties. Each feature is
+/// read by itself, in degrees, to count its points; they are in the order of the file.
+CellOwners owners_of(const Registry& registry, const ExportRequest& request, const LoadedFile& file,
+                     CellRegion region) {
+  const std::string_view format = file.format;
+  const bool has_properties = std::ranges::find(feature_formats(), format) != feature_formats().end();
+  if (request.source.file == "-" || !has_properties || format == "wkt" || request.format == "wkt") return {};
+  // Samples of curves belong to no feature.
+  const bool has_curves = file.data.source && !file.data.source->curves->curves.empty();
+  if (has_curves && region != CellRegion::outline) return {};
+  const auto list = read_features(registry, request.source.file, format, !request.source.reading.system.empty());
+  if (!list) return {};
+  ReadingOptions reading = request.source.reading;
+  reading.keeps_degrees = true;
+  reading.wants_curves = true;
+  const PropertyNames names(list->features);
+  constexpr std::string_view kPrefix = "cell_";
+  std::vector<std::vector<CellOwner>> found(list->features.size());
+  run_tasks(found.size(), [&](std::size_t i) {
+    const Feature& feature = list->features[i];
+    const auto alone = read_input_bytes(registry, feature.text, feature.name, feature.format, reading);
+    if (!alone) return;
+    CellOwner owner{feature.id, feature.properties};
+    if (!owner.id.empty() && request.format != "geojson") {
+      if (!owner.properties.empty()) owner.properties += ',';
+      owner.properties += fmt::format("\"{}\":{}", names.free_name("feature_id", kPrefix), owner.id);
+      owner.id.clear();
+    }
+    const auto& source = alone->data.source;
+    const bool has_lines = source && !source->curves->curves.empty();
+    found[i].assign(has_lines ? source->curves->points.size() : alone->data.positions.size(), owner);
+  });
+  CellOwners out;
+  for (const std::vector<CellOwner>& of_feature : found)
+    out.of_point.insert(out.of_point.end(), of_feature.begin(), of_feature.end());
+  if (out.of_point.size() != points_with_cells(file.data, region).size()) {
+    say(request.source.file +
+        ": cells have no attributes, since the points of its features are not those of the map");
+    return {};
+  }
+  for (std::string* const name : {&out.columns.sample, &out.columns.center, &out.columns.area})
+    *name = names.free_name(*name, kPrefix);
+  return out;
 }
 
 // Removes the progress line before it returns.
@@ -91,10 +139,15 @@ Expected<void> run_cell_export(const Registry& registry, const ExportRequest& re
   {
     Progress progress;
     JobControl job;
-    out = compute_cell_text(registry, input->file.data, static_cast<CellRegion>(region - kRegions.begin()),
-                            request.format, job, [&](std::string_view task) { progress.show(task, 0.0); });
+    const auto within = static_cast<CellRegion>(region - kRegions.begin());
+    out = compute_cell_text(
+        registry, input->file.data, within, request.format, job,
+        [&](std::string_view task) { progress.show(task, 0.0); }, owners_of(registry, request, input->file, within));
   }
   if (!out) return std::unexpected(out.error());
+  if (out->without_cell != 0)
+    say(out->without_cell == 1 ? std::string("1 sample lies on another one, and shares its cell")
+                               : fmt::format("{} samples lie on others, and share their cells", out->without_cell));
   if (out->off_earth != 0)
     say(fmt::format("{} left out that {} beyond the poles or around the Earth",
                     out->off_earth == 1 ? "1 cell is" : fmt::format("{} cells are", out->off_earth),

@@ -99,7 +99,23 @@ Error better_reason(const Registry& registry, std::string_view bytes, const std:
   return whole ? std::move(error) : whole.error();
 }
 
+std::string in_lower_case(std::string name) {
+  for (char& c : name)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return name;
+}
+
 }  // namespace
+
+PropertyNames::PropertyNames(std::span<const Feature> features) {
+  for (const Feature& feature : features)
+    for (const std::string& key : feature.keys) taken_.insert(in_lower_case(key));
+}
+
+std::string PropertyNames::free_name(std::string name, std::string_view prefix) const {
+  while (taken_.contains(name)) name.insert(0, prefix);
+  return name;
+}
 
 std::span<const std::string_view> feature_formats() {
   static constexpr std::array<std::string_view, 6> kFormats{"geojson",   "kml",        "wkt",

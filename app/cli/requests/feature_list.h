@@ -2,6 +2,8 @@
 // The features of the maps that `--each` reads.
 #pragma once
 
+#include <functional>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -20,6 +22,18 @@ namespace mes::cli {
 struct Feature : MapFeature {
   std::string name{};    ///< in messages: "FILE: feature 3, id 17"
   std::string format{};  ///< of its text
+};
+
+/// Names of the properties of features, for columns beside them: a column has one meaning in all rows, and columns of a
+/// GeoPackage differ in more than case.
+class PropertyNames {
+ public:
+  explicit PropertyNames(std::span<const Feature> features = {});
+  /// The name, with the prefix as often as a feature has a property of that name.
+  std::string free_name(std::string name, std::string_view prefix) const;
+
+ private:
+  std::set<std::string, std::less<>> taken_;  // in lower case
 };
 
 struct FeatureList {

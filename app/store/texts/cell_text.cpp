@@ -44,16 +44,19 @@ GeoParts geo_parts_of(const std::vector<LineArea>& areas, const MapConversion* c
 }
 
 /// `to_attributes` converts the centre.
-void append_cell(std::string& out, const TextCell& cell, double area, const GeoParts& parts,
-                 const std::optional<MapConversion>& to_attributes) {
+void append_cell(std::string& out, const TextCell& cell, const CellColumns& columns, double area,
+                 const GeoParts& parts, const std::optional<MapConversion>& to_attributes) {
   const Vec2 place = to_attributes ? to_attributes->from_plane(cell.place) : cell.place;
-  out += R"({"type":"Feature","properties":{"sample":)";
-  out += std::to_string(cell.sample);
-  out += R"(,"center":[)";
+  out += R"({"type":"Feature",)";
+  if (!cell.id.empty()) out += R"("id":)" + cell.id + ',';
+  out += R"("properties":{)" + cell.properties;
+  if (!cell.properties.empty()) out += ',';
+  out += '"' + columns.sample + "\":" + std::to_string(cell.sample);
+  out += ",\"" + columns.center + "\":[";
   append_number(out, place.x);
   out += ',';
   append_number(out, place.y);
-  out += R"(],"area":)";
+  out += "],\"" + columns.area + "\":";
   append_measure(out, area);
   out += R"(},"geometry":)";
   append_geojson(out, StraightKind::polygon, parts);
@@ -67,7 +70,7 @@ std::span<const std::string_view> cell_formats() {
 }
 
 Expected<CellText> cell_text(std::span<const TextCell> cells, const std::optional<MapPlane>& map,
-                             std::string_view format) {
+                             std::string_view format, const CellColumns& columns) {
   const bool is_json = format != "wkt";
   const bool is_by_gdal = format == "gpkg" || format == "fgb";
   std::optional<MapConversion> conversion;
@@ -95,7 +98,7 @@ Expected<CellText> cell_text(std::span<const TextCell> cells, const std::optiona
       out.text += is_first ? "\n" : ",\n";
       double area = 0.0;
       for (const LineArea& part : areas) area += area_of(part);
-      append_cell(out.text, cell, area, parts, to_attributes);
+      append_cell(out.text, cell, columns, area, parts, to_attributes);
       is_first = false;
     } else {
       append_wkt(out.text, StraightKind::polygon, parts, srid);

@@ -141,6 +141,52 @@ TEST_CASE("columns have one type and one name in every format, whatever the valu
   }
 }
 
+TEST_CASE("cells have the attributes of their points, in a box and within an outline") {
+  // A county with wells in it: two single ones, one of several points, and one that lies on another.
+  Json features = Json::array();
+  const auto add = [&](const Json& id, const Json& properties, const Json& geometry) {
+    features.push_back({{"type", "Feature"}, {"id", id}, {"properties", properties}, {"geometry", geometry}});
+  };
+  const Json county = Json::array({{10.0, 50.0}, {10.1, 50.0}, {10.1, 50.1}, {10.0, 50.1}, {10.0, 50.0}});
+  add("a", {{"name", "A"}, {"Area", 3}}, {{"type", "Point"}, {"coordinates", {10.02, 50.03}}});
+  add("b", {{"name", "B"}}, {{"type", "MultiPoint"}, {"coordinates", {{10.07, 50.02}, {10.03, 50.08}}}});
+  const std::size_t outline = features.size();
+  add("county", {{"name", "county"}}, {{"type", "Polygon"}, {"coordinates", Json::array({county})}});
+  add("c", {{"name", "C"}}, {{"type", "Point"}, {"coordinates", {10.06, 50.06}}});
+  add("d", {{"name", "D"}}, {{"type", "Point"}, {"coordinates", {10.06, 50.06}}});
+  const TemporaryFolder folder;
+  const auto file_of = [&](const char* name, const Json& of) {
+    return folder.write(name, Json{{"type", "FeatureCollection"}, {"features", of}}.dump()).string();
+  };
+  Json wells = features;
+  wells.erase(outline);
+  const std::vector<std::pair<std::string, std::string>> cases{{file_of("county.geojson", features), "outline"},
+                                                               {file_of("wells.geojson", wells), "box"}};
+  for (const auto& [file, region] : cases) {
+    INFO(region);
+    const RunResult result = run({"export", file, "--cells", region, "--format", "geojson"});
+    REQUIRE(result.exit_code == 0);
+    CHECK_THAT(result.err, Catch::Contains("1 sample lies on another one, and shares its cell"));
+    const Json cells = Json::parse(result.out)["features"];
+    REQUIRE(cells.size() == 4);
+    const std::vector<std::string> ids{"a", "b", "b", "c"};
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      CHECK(cells[i]["id"] == ids[i]);
+      const Json& properties = cells[i]["properties"];
+      CHECK(properties["sample"] == i);
+      CHECK(properties["cell_area"].get<double>() > 0.0);
+      CHECK(properties["name"].get<std::string>() == std::string(1, static_cast<char>(ids[i][0] - 'a' + 'A')));
+    }
+    CHECK(cells[0]["properties"]["Area"] == 3);
+    CHECK(cells[2]["properties"]["center"][1].get<double>() == Approx(50.08));
+    const std::string package = (folder / (region + ".gpkg")).string();
+    REQUIRE(run({"export", file, "--cells", region, "--format", "gpkg", "-o", package}).exit_code == 0);
+    const Json back = features_by_ogr(package)["features"];
+    REQUIRE(back.size() == 4);
+    CHECK(back[3]["properties"]["feature_id"] == "c");
+  }
+}
+
 TEST_CASE("the placemarks of a KML keep their attributes") {
   const TemporaryFolder folder;
   const std::string from = folder.write("parcels.geojson", kParcels).string();
