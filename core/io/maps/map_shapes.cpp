@@ -32,6 +32,19 @@ Box2 box_of(std::span<const Vec2> positions) {
   return box;
 }
 
+/// Positions of a small place on the Earth: with decimals, in the range of degrees, and far from the origin, at which
+/// drawings begin.
+bool look_like_degrees(const std::vector<Vec2>& positions) {
+  constexpr double kCoarsest = 1e-3;
+  constexpr double kFar = 4.0;
+  if (positions.empty()) return false;
+  const Box2 box = box_of(positions);
+  const double size = std::hypot(box.width(), box.height());
+  const double resolution = resolution_of(positions);
+  return box.low.x >= -180.0 && box.high.x <= 180.0 && box.low.y >= -90.0 && box.high.y <= 90.0 &&
+         resolution <= kCoarsest && length(box.center()) >= kFar * size;
+}
+
 /// The arc along the circle through three points. Nothing if they are collinear.
 std::optional<EllipticArc> arc_through(Vec2 from, Vec2 through, Vec2 to) {
   constexpr double kTurn = 2.0 * std::numbers::pi;
@@ -286,8 +299,9 @@ Expected<std::optional<CoordinateSystem>> MapShapes::system_of_positions(std::st
   const double longest = is_narrow && from_zero(west) > half_turn ? 3.0 * half_turn
                          : is_narrow || !is_assumed               ? 2.0 * half_turn
                                                                   : half_turn;
+  const double shortest = is_assumed ? -half_turn : -longest;
   const auto outside = std::ranges::find_if(
-      positions_, [&](Vec2 p) { return std::abs(p.x) > longest || std::abs(p.y) > 0.5 * half_turn; });
+      positions_, [&](Vec2 p) { return p.x < shortest || p.x > longest || std::abs(p.y) > 0.5 * half_turn; });
   if (outside == positions_.end()) return system;
   if (is_assumed) {
     remark = fmt::format("{:.12g}, {:.12g} is not a longitude and latitude, so the coordinates are those of a plane",
@@ -427,6 +441,10 @@ Expected<LoadedFile> MapShapes::load(const std::string& name, ReadJob& job) && {
     file.warnings.push_back(Error{ErrorCode::bad_input, text, name}.message());
   };
   if (!*system || positions_.empty()) {
+    if (remark.empty() && look_like_degrees(positions_))
+      remark =
+          "the positions look like longitude and latitude, and are read as those of a plane, since no coordinate "
+          "system is named (EPSG:4326 is that of degrees)";
     MapPlacement in_plane;
     auto file = load_samples(curves(in_plane, job), name, job);
     if (file && !remark.empty())

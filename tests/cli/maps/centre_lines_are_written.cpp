@@ -563,6 +563,21 @@ TEST_CASE("longitudes may go on across 180 and 360, and features may count them 
   for (const Json& found : both) CHECK(found["properties"]["length"].get<double>() == Approx(length).epsilon(1e-3));
 }
 
+TEST_CASE("WKT that looks like degrees is a plane, and that is said") {
+  const std::string lake = "POLYGON ((8.5 47.2, 8.85 47.21, 8.852 47.235, 8.51 47.22, 8.5 47.2))";
+  const auto told = [](const std::string& input, const std::vector<std::string>& options = {}) {
+    const RunResult result = run(with({"centerline", "-"}, options), {.input = input});
+    CHECK(result.exit_code == 0);
+    return result.err;
+  };
+  CHECK_THAT(told(lake), Catch::Contains("look like longitude and latitude") && Catch::Contains("EPSG:4326"));
+  CHECK_THAT(told(lake, {"--crs", "EPSG:4326"}), !Catch::Contains("look like") && Catch::Contains("projected"));
+  for (const char* const drawing :
+       {"POLYGON ((0 0, 30.255 0, 30.255 8.001, 0 8.001, 0 0))", "POLYGON ((85 47, 88 47, 88 48, 85 48, 85 47))",
+        "POLYGON ((508.5 47.2, 508.85 47.21, 508.852 47.235, 508.5 47.22, 508.5 47.2))"})
+    CHECK_THAT(told(drawing), !Catch::Contains("look like"));
+}
+
 TEST_CASE("a single open line has no centre line, by itself or as a feature") {
   for (const char* const line : {"LINESTRING (0 0, 100 0, 100 50)", "LINESTRING (0 0, 100 0)"})
     for (const std::vector<std::string>& options : {std::vector<std::string>{}, {"--exact"}, {"--vertices"}})
