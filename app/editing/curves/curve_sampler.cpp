@@ -122,12 +122,30 @@ Expected<void> CurveSampler::show(const Taken& taken) {
   }
   const bool is_large = taken->data.positions.size() > kMostLive;
   if (is_large && wanted_) return {};
+  const bool was_edited = begun_hold_ != shown_hold_ && has_edited_samples();
   auto done = editor_.resample(taken->data, kStep, begun_hold_ == shown_hold_);
   if (!done) return done;
   shown_hold_ = begun_hold_;
+  taken_source_ = editor_.document().source();
+  taken_positions_ = positions_on_curves();
+  if (was_edited)
+    notice_ = "Samples were taken again, and your edits of samples of the curves are gone (Undo brings them back)";
   remark_ = remark_of(*taken, request);
   remark_at_ = editor_.document().revision();
   return {};
+}
+
+std::vector<Vec2> CurveSampler::positions_on_curves() const {
+  const Document& document = editor_.document();
+  std::vector<Vec2> out;
+  for (const SampleId id : document.samples_of_source()) out.push_back(document.position(document.slot_of(id)));
+  return out;
+}
+
+bool CurveSampler::has_edited_samples() const {
+  const Document& document = editor_.document();
+  if (!source() || document.samples_of_source().size() != source()->count) return source() != nullptr;
+  return document.source() == taken_source_ && positions_on_curves() != taken_positions_;
 }
 
 std::string CurveSampler::samples_text() {

@@ -21,6 +21,7 @@ namespace mes {
 ///  2. All requests made while a control is held are one step of undo. Samples set by hand stay; those taken from the
 ///     curves before are removed, moved or not.
 ///  3. While a control is held, more than `kMostLive` samples are shown only after its release.
+///     A notice tells of samples that were edited by hand since they were taken, and are gone.
 ///  4. Another document, other curves in it, and undo or redo of a sampling cancel the work under way.
 ///
 /// Smallest use:
@@ -64,6 +65,9 @@ class CurveSampler {
   void drop();
   Expected<void> show(const Taken& taken);
   Expected<void> take_curves();
+  /// Whether samples of the curves were removed since they were taken, or also moved since this took them.
+  bool has_edited_samples() const;
+  std::vector<Vec2> positions_on_curves() const;
 
   Editor& editor_;
   BackgroundJob<std::shared_ptr<const Taken>> job_;
@@ -81,6 +85,8 @@ class CurveSampler {
   bool is_held_ = false;
   bool is_wish_new_ = false;  // true since the last `follow`
   std::optional<std::string> notice_;
+  std::shared_ptr<const CurveSource> taken_source_;  // of the samples that were shown last
+  std::vector<Vec2> taken_positions_;
   std::size_t sample_count_ = 0;
   std::uint64_t counted_at_ = ~std::uint64_t{0};  // revision of the document
   std::string remark_;

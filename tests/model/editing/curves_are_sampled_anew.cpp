@@ -136,6 +136,35 @@ TEST_CASE("samples set by hand stay, and those of the curves go, moved or not") 
   CHECK(replay.document().snapshot()->free_slots == editor.document().snapshot()->free_slots);
 }
 
+TEST_CASE("a notice tells of edits that a sampling replaces, once, and of nothing else") {
+  SamplerBench bench;
+  const auto told = [&] { return bench.sampler.take_notice().value_or(""); };
+  const auto first = [&] {
+    const Document& document = bench.editor.document();
+    return document.id(document.slots_in_input_order().front());
+  };
+  bench.want(50, false);
+  CHECK(told().empty());
+  // A sample that is removed, before anything was sampled here or after it.
+  for (const std::size_t count : {60U, 70U}) {
+    REQUIRE(bench.editor.remove(std::array{first()}, "Delete"));
+    bench.want(count, false);
+    CHECK_THAT(told(), Catch::Contains("edits of samples of the curves are gone"));
+    bench.want(count + 1, false);
+    CHECK(told().empty());
+  }
+  REQUIRE(bench.editor.move(std::array{std::pair(first(), Vec2{9, 9})}, "Move"));
+  bench.want(80, true);
+  bench.want(81, true);
+  bench.want(82, false);
+  CHECK_THAT(told(), Catch::Contains("edits of samples of the curves are gone"));
+  CHECK(told().empty());
+  // A sample beside the curves stays, and is no such edit.
+  REQUIRE(bench.editor.insert(std::array{Vec2{0.5, 0.5}}, "Insert"));
+  bench.want(90, false);
+  CHECK(told().empty());
+}
+
 TEST_CASE("curves are saved with sessions and samples can be taken of them when they are read") {
   SamplerBench bench;
   bench.want(30, false);
