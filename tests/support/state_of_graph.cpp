@@ -117,6 +117,7 @@ GeometryState state_of(const Graph& graph) {
       state.balls.push_back({own.disk(row).center.x, own.disk(row).center.y, own.disk(row).radius});
   std::ranges::sort(state.balls);
   state.odd = crust.odd_count();
+  state.lone = crust.lone_count();
   state.conflicts = labels.conflict_count();
   for (const SiteSlot site : delaunay.site_slots()) {
     if (!delaunay.is_site(site)) continue;
@@ -180,6 +181,7 @@ std::string difference(const GeometryState& a, const GeometryState& b) {
       differ("poles", a.poles, b.poles, out))
     return out;
   if (a.odd != b.odd) return fmt::format("odd samples {} {}", a.odd, b.odd);
+  if (a.lone != b.lone) return fmt::format("samples on no curve {} {}", a.lone, b.lone);
   if (a.conflicts != b.conflicts) return fmt::format("conflict counts {} {}", a.conflicts, b.conflicts);
   return {};
 }

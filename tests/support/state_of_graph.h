@@ -38,6 +38,7 @@ struct GeometryState {
   std::vector<std::array<double, 3>> balls;  ///< user balls of the document: centre and radius
   std::vector<std::vector<Vec2>> poles;      ///< a sample, then all samples on its polar circles
   std::size_t odd = 0;
+  std::size_t lone = 0;
   std::size_t conflicts = 0;
 };
 

@@ -89,6 +89,7 @@ constexpr auto kSpokenFindings = std::to_array<Spoken>({
     {"samples with an odd number of curve edges: corners, noise, ends of strokes",
      "samples with an odd number of curve edges instead of two: corners, noise, ends of strokes",
      "sample with an odd number of curve edges instead of two: a corner, noise, the end of a stroke"},
+    {"samples on no curve", "samples on no curve", "sample on no curve"},
     {"triangles of balls with a common sample have orthogonal radius zero, and were judged otherwise",
      "triangles misjudged by rounding: their balls have a common sample, so their orthogonal radius is zero",
      "triangle misjudged by rounding: its balls have a common sample, so its orthogonal radius is zero"},

@@ -73,7 +73,9 @@ void OneStepCrust::classify(EdgeSlot edge) {
 
 void OneStepCrust::add_to_degrees(SiteSlot site, int crust, int shared) {
   odd_count_ -= is_odd(site) ? 1U : 0U;
+  joined_count_ -= degree_[site] != 0 ? 1U : 0U;
   degree_[site] = static_cast<std::uint8_t>(degree_[site] + crust);
+  joined_count_ += degree_[site] != 0 ? 1U : 0U;
   if (shared != 0) shared_degree_[site] = static_cast<std::uint8_t>(shared_degree_[site] + shared);
   odd_count_ += is_odd(site) ? 1U : 0U;
 }
@@ -122,7 +124,11 @@ void OneStepCrust::rebuild(JobControl& job) {
     cocircular_count_ += part.cocircular;
   }
   odd_count_ = 0;
-  for (const SiteSlot site : degree_.rows()) odd_count_ += is_odd(site) ? 1U : 0U;
+  joined_count_ = 0;
+  for (const SiteSlot site : degree_.rows()) {
+    odd_count_ += is_odd(site) ? 1U : 0U;
+    joined_count_ += degree_[site] != 0 ? 1U : 0U;
+  }
 }
 
 bool OneStepCrust::update(JobControl&) {
@@ -223,14 +229,20 @@ StatList OneStepCrust::statistics() const {
 }
 
 void OneStepCrust::find(std::vector<Finding>& out) const {
-  if (odd_count_ == 0) return;
-  Finding& finding = out.emplace_back();
-  finding.text = "samples with an odd number of curve edges: corners, noise, ends of strokes";
-  finding.count = static_cast<std::int64_t>(odd_count_);
-  for (const SiteSlot site : delaunay_.site_slots()) {
-    if (finding.places.size() == kMostPlaces) break;
-    if (delaunay_.is_site(site) && is_odd(site)) finding.places.push_back(delaunay_.site_position(site));
-  }
+  const auto add = [&](FindingLevel level, std::string text, std::size_t count, const auto& is_meant) {
+    if (count == 0) return;
+    Finding& finding = out.emplace_back();
+    finding.level = level;
+    finding.text = std::move(text);
+    finding.count = static_cast<std::int64_t>(count);
+    for (const SiteSlot site : delaunay_.site_slots()) {
+      if (finding.places.size() == kMostPlaces) break;
+      if (delaunay_.is_site(site) && is_meant(site)) finding.places.push_back(delaunay_.site_position(site));
+    }
+  };
+  add(FindingLevel::doubt, "samples with an odd number of curve edges: corners, noise, ends of strokes", odd_count_,
+      [this](SiteSlot site) { return is_odd(site); });
+  add(FindingLevel::note, "samples on no curve", lone_count(), [this](SiteSlot site) { return degree(site) == 0; });
 }
 
 }  // namespace mes

@@ -47,6 +47,8 @@ class OneStepCrust final : public Structure {
   /// True if the site has an odd number of walls.
   bool is_odd(SiteSlot site) const { return (wall_degree(site) & 1) != 0; }
   std::size_t odd_count() const { return odd_count_; }
+  /// Sites without a crust edge, where there is a crust.
+  std::size_t lone_count() const { return joined_count_ == 0 ? 0 : delaunay_.site_count() - joined_count_; }
   std::size_t cocircular_count() const { return cocircular_count_; }
   /// Corners for the predicates, in the orientation of the edge's row.
   EdgeCorners corners(EdgeSlot edge) const;
@@ -94,7 +96,8 @@ class OneStepCrust final : public Structure {
   Table<SiteSlot, std::uint8_t> degree_;
   Table<SiteSlot, std::uint8_t> shared_degree_;  ///< number of shared crust edges; empty if there are none
   std::size_t odd_count_ = 0;
-  bool had_duplicates_ = false;  ///< several samples at one position, at the last check
+  std::size_t joined_count_ = 0;  // sites with a crust edge
+  bool had_duplicates_ = false;   ///< several samples at one position, at the last check
   std::size_t cocircular_count_ = 0;
   FilterCounts counts_;
   ChangeRecorder<SiteSlot> site_recorder_;

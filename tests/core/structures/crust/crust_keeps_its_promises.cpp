@@ -371,3 +371,28 @@ TEST_CASE("the crust contains the crust of Amenta, Bern and Eppstein") {
   CHECK(contained > 100);
   CHECK(more > 10);
 }
+
+TEST_CASE("samples on no curve are counted and found, and are no doubt about the others") {
+  TestBench bench;
+  bench.show({"curve"});
+  bench.replace(ellipse(2.0, 1.0, 60).data.positions);
+  const auto& crust = bench.get<OneStepCrust>();
+  const auto findings = [&] {
+    std::vector<Finding> out;
+    crust.find(out);
+    return out;
+  };
+  CHECK(crust.lone_count() == 0);
+  CHECK(findings().empty());
+  bench.insert({{40, 30}});
+  CHECK(crust.lone_count() == 1);
+  REQUIRE(findings().size() == 1);
+  CHECK(findings()[0].level == FindingLevel::note);
+  CHECK(findings()[0].count == 1);
+  CHECK(findings()[0].places == std::vector<Vec2>{{40, 30}});
+  bench.remove({bench.ids().back()});
+  CHECK(crust.lone_count() == 0);
+  // Where nothing is joined, no sample is beside a curve.
+  bench.replace({{0, 0}});
+  CHECK(crust.lone_count() == 0);
+}
