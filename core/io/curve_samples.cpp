@@ -140,8 +140,8 @@ Expected<LoadedFile> load_samples(CurveSet curves, const std::string& name, Read
   if (samples <= vertices) return file;
   file->warnings.push_back(Error{
       ErrorCode::bad_input,
-      fmt::format("samples were added between the {}vertices, {} in all; the sampling rule \"vertices\" takes the "
-                  "vertices alone",
+      fmt::format("samples were added between the {}vertices, {} in all; --vertices, or the rule \"vertices\" on the "
+                  "page of the curves, takes the vertices alone",
                   vertices == 0 ? std::string() : std::to_string(vertices) + ' ', samples),
       name}
                                .message());
