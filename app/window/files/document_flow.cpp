@@ -211,6 +211,7 @@ void DocumentFlow::start_empty() {
 void DocumentFlow::leave_document() {
   uses_.work.leave_document();
   uses_.board.traced().give_up();
+  opened_ = {};
   map_files_.clear();
   map_degrees_.reset();
   map_system_.clear();
@@ -241,7 +242,6 @@ void DocumentFlow::start_demo() {
   if (!files_.has_session_file() && !files_.sample_file().empty() && !files_.ball_file().empty())
     before_demo_ = {{files_.sample_file(), files_.ball_file()}, {}};
   start_empty();
-  opened_ = {};
   uses_.messages.clear();
   uses_.demo.start(*session);
   // The selection and the clicked elements belong to another document.

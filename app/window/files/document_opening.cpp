@@ -184,8 +184,8 @@ void DocumentFlow::take_read_file() {
   }
   if (outcome->is_recovered && recovered) return take_recovered(*outcome, *std::move(recovered));
   uses_.demo.end(true);
-  opened_ = {outcome->is_made ? std::vector<fs::path>{} : outcome->files, outcome->is_shape ? files_.title() : ""};
   leave_document();
+  opened_ = {outcome->is_made ? std::vector<fs::path>{} : outcome->files, outcome->is_shape ? files_.title() : ""};
   if (!outcome->is_shape && !outcome->session) {
     map_files_ = outcome->files;
     map_degrees_ = outcome->degrees;
