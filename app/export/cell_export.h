@@ -32,8 +32,7 @@ struct CellOwner {
   std::string properties{};  ///< JSON members
 };
 
-/// What the cells of the points of a map have beside their own numbers: the owner of each point, in the order of the
-/// file, or nothing at all.
+/// The owners of all points with cells, in the order of the file, or of none; and names of columns that no owner has.
 struct CellOwners {
   std::vector<CellOwner> of_point{};
   CellColumns columns{};
@@ -42,9 +41,9 @@ struct CellOwners {
 /// The points that have cells: those beside the curves if the region is their outline, else all samples.
 const std::vector<Vec2>& points_with_cells(const SampleData& data, CellRegion region);
 
-/// The cells in the order of their samples; of samples at one place, the first has it, and the others are counted. Cells outside the region are
-/// left out. Data with curves and isolated points, such as wells in a county, have cells of the points alone within
-/// their outline. Curved sides become chains of up to 96 sides a turn.
+/// The cells in the order of their samples; of samples at one place, the first has it, and the others are counted.
+/// Cells outside the region are left out. Data with curves and isolated points, such as wells in a county, have cells
+/// of the points alone within their outline. Curved sides become chains of up to 96 sides a turn.
 ///
 /// Error: `usage` if the region is the outline of data without curves, `cannot_compute` if it encloses nothing or so
 /// many cells reach across it that clipping takes longer than 12 s. Throws `Cancelled`. `on_task` is called with the id

@@ -141,8 +141,8 @@ std::string about_thin(std::span<const PlaneCurve> curves) {
   return {};
 }
 
-/// Whether samples take longer than the exact axis, as where part of an outline is very thin: an exact side costs as
-/// much as some twenty samples.
+/// Whether there are so many more samples than sides that part of an outline must be very thin. The exact axis takes
+/// less time there.
 bool is_worth_exact(std::span<const PlaneCurve> curves, std::size_t samples) {
   constexpr std::size_t kMany = 50'000;
   constexpr std::size_t kOfSide = 100;

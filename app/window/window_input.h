@@ -39,7 +39,7 @@ class WindowInput final : private WindowListener {
     Presenter& presenter;
     MarkDrag& mark_drag;
     std::function<void()> open_menu;                        ///< opens the menu of a right click on the canvas
-    std::function<bool(std::ptrdiff_t rows)> step_in_list;  ///< false: there is no list under the pointer
+    std::function<bool(std::ptrdiff_t rows)> step_in_list;  ///< returns false if no list is under the pointer
   };
   explicit WindowInput(const Uses& uses);
   ~WindowInput() override;

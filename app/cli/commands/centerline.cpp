@@ -43,7 +43,7 @@ struct CenterlineJob {
   const LineTextFormat* format = nullptr;
 };
 
-/// Of our columns whose names a feature has, too.
+/// Prefix of a column of ours if a feature has a property of its name.
 constexpr std::string_view kPrefix = "centerline_";
 
 /// Everything that will be written, with counts for the summary.

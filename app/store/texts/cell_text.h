@@ -40,9 +40,9 @@ struct CellText {
 /// The formats that hold polygons: "geojson", "wkt", "gpkg" and "fgb".
 std::span<const std::string_view> cell_formats();
 
-/// `format` is one of them. Features have the columns after the properties of their cells: the number of the sample, its
-/// position, and the area in units of the plane. Numbers are in shortest round-trip form. Error: as for `MapConversion::of`
-/// (core/io/systems/map_conversion.h).
+/// `format` is one of them. Features have the columns after the properties of their cells: the number of the sample,
+/// its position, and the area in units of the plane. Numbers are in shortest round-trip form. Error: as for
+/// `MapConversion::of` (core/io/systems/map_conversion.h).
 Expected<CellText> cell_text(std::span<const TextCell> cells, const std::optional<MapPlane>& map,
                              std::string_view format, const CellColumns& columns = {});
 

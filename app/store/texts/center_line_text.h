@@ -15,9 +15,9 @@
 
 namespace mes {
 
-/// The line with its numbers: shape and line, counted from 1, length, least, mean and largest width. `unit` is the size
-/// of a length of the plane in the written unit. Points are left out where the line without them leaves neither them nor
-/// their radii by more than 2^-12 of the radius, so that straight lines have two.
+/// The line with its numbers: shape and line, counted from 1, length, least, mean and largest width. `unit` is the
+/// size of a length of the plane in the written unit. Points are left out where the line without them leaves neither
+/// them nor their radii by more than 2^-12 of the radius, so that straight lines have two.
 TextLine text_line_of(const CenterLine& line, const std::optional<MapPlane>& map, double unit);
 
 struct CenterLineTotals {

@@ -175,7 +175,7 @@ class DocumentFlow {
   std::vector<std::filesystem::path> map_files_;  // files that were opened, and can be read again in another way
   std::optional<MapDegrees> map_degrees_;         // treatment of their longitude and latitude
   std::string map_system_;                        // the system that was named for them
-  /// What a document was opened from: files, or a shape of this title.
+  /// The files of a document; one file if it is a shape of this title.
   struct Opened {
     std::vector<std::filesystem::path> files;
     std::string shape;

@@ -159,7 +159,7 @@ TEST_CASE("a notice tells of edits that a sampling replaces, once, and of nothin
   bench.want(82, false);
   CHECK_THAT(told(), Catch::Contains("edits of samples of the curves are gone"));
   CHECK(told().empty());
-  // A sample beside the curves stays, and is no such edit.
+  // Adding a sample beside the curves edits none of theirs.
   REQUIRE(bench.editor.insert(std::array{Vec2{0.5, 0.5}}, "Insert"));
   bench.want(90, false);
   CHECK(told().empty());

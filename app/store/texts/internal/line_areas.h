@@ -23,9 +23,9 @@ struct LineAreas {
 /// Positive for a counter-clockwise ring, which may repeat its first point.
 double area_of(const std::vector<Vec2>& ring);
 
-/// The points inside an odd number of rings. Lines are polylines that meet at equal ends and do not cross; two may be the
-/// same, or run along each other, as the common border of two parcels does, which are an area each. Which ring lies in
-/// which is decided exactly for the given points.
+/// The points inside an odd number of rings. Lines are polylines that meet at equal ends and do not cross; two may be
+/// the same, or run along each other, as the common border of two parcels does, which are an area each. Which ring
+/// lies in which is decided exactly for the given points.
 ///
 /// Cost: O(n log n) for n points.
 LineAreas areas_of(std::vector<std::vector<Vec2>> lines);

@@ -16,7 +16,7 @@ namespace mes {
 /// Guarantees: exact, and the parts depend on the sides alone: they are in the order of their first sides, which keep
 /// their order, and stretches of smooth curves are numbered from 0 in each part.
 ///
-/// Cost: O(n log n) for n sides, about 1 us a side.
+/// Cost: O(n log n) for n sides.
 /// Source: the plane sweep of Shamos and Hoey, "Geometric intersection problems", 1976, for sides that do not cross.
 std::vector<std::vector<OutlineSide>> independent_parts(std::span<const OutlineSide> sides);
 

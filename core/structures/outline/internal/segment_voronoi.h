@@ -21,9 +21,9 @@ namespace mes {
 ///     of the largest coordinate.
 ///  3. Edges between sides from one end with an angle below 2^-40 are left out.
 ///
-/// Cost: O(n log n) typically, some 50 us a side. Throws `Cancelled`. `shows_progress`: the progress of the job is that of
-/// this computation. Threads: any, also several at a time.
-/// Source: Karavelas, "A robust and efficient implementation for the segment Voronoi diagram", 2004, as implemented in CGAL.
+/// Cost: O(n log n) typically, some 50 us a side. Throws `Cancelled`. `shows_progress`: the progress of the job is
+/// that of this computation. Threads: any, also several at a time.
+/// Source: Karavelas, "A robust and efficient implementation for the segment Voronoi diagram", 2004, in CGAL.
 OutlineGraph inner_voronoi(std::span<const OutlineSide> sides, JobControl& job, bool shows_progress = true);
 
 }  // namespace mes
