@@ -280,6 +280,11 @@ std::uint32_t Scene::instances(VariantLayer layer, PrimitiveKind kind) const {
   return found == nullptr ? 0 : found->kinds[static_cast<std::size_t>(kind)].count();
 }
 
+std::uint32_t Scene::zero_length_segments(VariantLayer layer) const {
+  const Layer* const found = layers_.find(layer);
+  return found == nullptr ? 0 : found->kinds[static_cast<std::size_t>(PrimitiveKind::segment)].zero_length_count();
+}
+
 std::uint32_t Scene::painted_disks(const Camera& camera, VariantLayer layer, const LayerStyle& style) const {
   if (instances(layer, PrimitiveKind::disk) == 0) return 0;
   const InstanceBuffer& disks = layers_.find(layer)->kinds[static_cast<std::size_t>(PrimitiveKind::disk)];

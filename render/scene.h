@@ -150,6 +150,8 @@ class Scene {
   /// The frame of the last patch; it also maps overlays.
   const DrawingFrame& frame() const { return frame_; }
   std::uint32_t instances(VariantLayer layer, PrimitiveKind kind) const;
+  /// The number of segments of a layer whose ends are equal, such as Voronoi edges of samples on one circle.
+  std::uint32_t zero_length_segments(VariantLayer layer) const;
   /// The number of disks of a layer that `draw` paints one by one, however long that takes; 0 if they are counted
   /// because counting takes less time.
   std::uint32_t painted_disks(const Camera& camera, VariantLayer layer, const LayerStyle& style) const;

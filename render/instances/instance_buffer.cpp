@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/base/assert.h"
+#include "core/draw/primitive_values.h"
 #include "render/device/instance_layout.h"
 
 namespace mes::render {
@@ -34,6 +35,8 @@ void InstanceBuffer::swap(InstanceBuffer& other) noexcept {
   std::swap(scalars_, other.scalars_);
   std::swap(capacity_, other.capacity_);
   std::swap(count_, other.count_);
+  std::swap(zero_length_count_, other.zero_length_count_);
+  std::swap(is_zero_length_, other.is_zero_length_);
   std::swap(frame_, other.frame_);
   std::swap(extent_, other.extent_);
   std::swap(boxes_, other.boxes_);
@@ -51,6 +54,7 @@ void InstanceBuffer::clear() {
   scalars_ = {};
   capacity_ = 0;
   count_ = 0;
+  drop_lengths(0);
   extent_ = {};
   boxes_.clear();
   store_.clear();
@@ -104,6 +108,26 @@ void InstanceBuffer::keep_count(std::uint32_t count) {
   kept_.resize(size);
 }
 
+void InstanceBuffer::note_length(std::size_t instance, const double* values) {
+  if (kind_ != PrimitiveKind::segment) return;
+  const bool is_zero = is_zero_length(values);
+  if (instance >= is_zero_length_.size()) {
+    if (!is_zero) return;
+    is_zero_length_.resize(instance + 1);
+  }
+  if (is_zero == is_zero_length_[instance]) return;
+  is_zero_length_[instance] = is_zero;
+  is_zero ? ++zero_length_count_ : --zero_length_count_;
+}
+
+// The instances from `count` on are gone.
+void InstanceBuffer::drop_lengths(std::size_t count) {
+  if (count >= is_zero_length_.size()) return;
+  const auto gone = is_zero_length_.begin() + static_cast<std::ptrdiff_t>(count);
+  zero_length_count_ -= static_cast<std::uint32_t>(std::count(gone, is_zero_length_.end(), true));
+  is_zero_length_.resize(count);
+}
+
 void InstanceBuffer::reserve(std::size_t instances, std::size_t keep) {
   const std::size_t bytes = layout_of(kind_).bytes();
   // Half as much again is a compromise between frequent copies and unused memory.
@@ -147,7 +171,9 @@ std::uint64_t InstanceBuffer::replace(std::uint32_t count, std::span<const doubl
   boxes_ = std::move(boxes);
   store_.clear();
   count_ = 0;
+  drop_lengths(0);
   try {
+    for (std::size_t i = 0; i < count; ++i) note_length(i, data.data() + i * stride);
     return fill(count, encoded, data);
   } catch (const std::bad_alloc&) {
     clear();  // a part of the instances would be a wrong picture
@@ -190,6 +216,7 @@ std::uint64_t InstanceBuffer::apply(const KindPatch& patch, const DrawingFrame& 
   MES_ASSERT(has_scalars == has_scalars_);
   if (patch.count > capacity_) reserve(patch.count, count_);
   const std::uint32_t first_new = std::exchange(count_, patch.count);
+  drop_lengths(count_);
   if (count_ == 0) {
     extent_ = {};
     boxes_.clear();
@@ -232,6 +259,7 @@ std::uint64_t InstanceBuffer::write(std::span<const std::uint32_t> index, std::s
     encode_instance(kind_, frame_, data.subspan(order[i] * stride, stride), std::span(encoded).subspan(end), extent_);
     boxes_.add(instance, box_of_instance(kind_, std::span(encoded).subspan(end)));
     append(ranges, instance, bytes);
+    note_length(instance, data.data() + order[i] * stride);
     if (are_kept) keep(instance, std::span(encoded).subspan(end), instance >= first_new);
     if (!has_scalars_) continue;
     scalars.push_back(data[order[i] * stride + stride - 1]);

@@ -43,6 +43,8 @@ class InstanceBuffer {
 
   PrimitiveKind kind() const { return kind_; }
   std::uint32_t count() const { return count_; }
+  /// The number of segments whose ends are equal.
+  std::uint32_t zero_length_count() const { return zero_length_count_; }
   BufferId buffer() const { return buffer_; }
   /// One double an instance; no buffer without scalars.
   BufferId scalars() const { return scalars_; }
@@ -71,6 +73,8 @@ class InstanceBuffer {
   void keep(std::size_t instance, std::span<const double> encoded, bool is_new);
   void keep_count(std::uint32_t count);
   void note_all_changed();
+  void note_length(std::size_t instance, const double* values);
+  void drop_lengths(std::size_t count);
   /// Instances from `first_new` on are new.
   std::uint64_t write(std::span<const std::uint32_t> index, std::span<const double> data, std::uint32_t first_new);
   std::uint64_t fill(std::uint32_t count, std::span<const double> encoded, std::span<const double> data);
@@ -83,6 +87,8 @@ class InstanceBuffer {
   BufferId scalars_{};
   std::size_t capacity_ = 0;
   std::uint32_t count_ = 0;
+  std::uint32_t zero_length_count_ = 0;
+  std::vector<bool> is_zero_length_;  // of segments; those beyond its end have a length
   DrawingFrame frame_;
   InstanceExtent extent_;
   BlockBoxes boxes_;

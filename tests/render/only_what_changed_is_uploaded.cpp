@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Traffic and buffer contents, on a device that counts and checks.
+#include <algorithm>
+#include <array>
 #include <catch2/catch.hpp>
 #include <cstring>
 #include <limits>
@@ -176,6 +178,36 @@ TEST_CASE("random patches leave the device with what a plain model holds") {
     }
     REQUIRE(held(device, scene, 0) == expected);
   }
+}
+
+TEST_CASE("segments of zero length are counted through random patches") {
+  RecordingDevice device;
+  Scene scene(device);
+  std::vector<double> model;
+  Rng random(4);
+  for (int step = 0; step < 2000; ++step) {
+    const auto count = static_cast<std::uint32_t>(model.size() / 4);
+    const bool is_whole = random.below(50) == 0;
+    const auto wanted = static_cast<std::uint32_t>(is_whole ? random.below(60) : count + random.below(7));
+    const std::uint32_t grown = is_whole ? wanted : std::max(wanted, 3U) - 3U;
+    std::vector<std::uint32_t> index;
+    for (std::uint32_t i = is_whole ? 0 : count; i < grown; ++i) index.push_back(i);
+    for (std::uint64_t i = random.below(6); !is_whole && i > 0 && grown > 0; --i)
+      index.push_back(static_cast<std::uint32_t>(random.below(grown)));
+    model.resize(4 * std::size_t{grown});
+    std::vector<double> data;
+    for (const std::uint32_t i : index) {
+      const std::array<double, 4> ends{0.0, 0.0, 0.0, random.below(2) == 0 ? 0.0 : 1.0};
+      std::ranges::copy(ends, model.begin() + 4 * static_cast<std::ptrdiff_t>(i));
+      data.insert(data.end(), ends.begin(), ends.end());
+    }
+    scene.apply(is_whole ? instances(0, segment, data) : changes(0, segment, grown, index, data));
+    std::uint32_t expected = 0;
+    for (std::size_t i = 0; i < model.size(); i += 4) expected += model[i + 3] == 0.0 ? 1U : 0U;
+    REQUIRE(scene.zero_length_segments(0) == expected);
+  }
+  scene.forget(0);
+  CHECK(scene.zero_length_segments(0) == 0);
 }
 
 TEST_CASE("groups cost a target only when they are used") {

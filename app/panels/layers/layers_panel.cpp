@@ -312,7 +312,7 @@ std::optional<std::size_t> LayersPanel::count_of(LayerIndex layer) const {
   if (picture_.state(layer) != NodeState::up_to_date) return std::nullopt;
   std::size_t count = 0;
   for (const PrimitiveKind kind : kinds) count += picture_.scene().instances(layer, kind);
-  return count;
+  return count - picture_.scene().zero_length_segments(layer);
 }
 
 void LayersPanel::note_counts() {
