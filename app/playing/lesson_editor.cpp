@@ -56,6 +56,19 @@ void LessonEditor::change(Lesson next) {
   editor_.set_lesson(std::move(next));
 }
 
+void LessonEditor::type(Lesson next) {
+  follow();
+  if (next == lesson()) return;
+  if (typed_ != lesson()) {
+    change(std::move(next));
+  } else if (!before_.empty() && before_.back() == next) {
+    take_back();
+  } else {
+    editor_.set_lesson(std::move(next));
+  }
+  typed_ = lesson();
+}
+
 void LessonEditor::mark() {
   const std::optional<std::size_t> after = chosen();
   Lesson next = lesson();
@@ -76,18 +89,24 @@ void LessonEditor::mark_again() {
   change(std::move(next));
 }
 
-void LessonEditor::set_title(const std::string& title) {
+void LessonEditor::type_title(const std::string& title) {
   Lesson next = lesson();
   next.title = beginning_of(title, kLongestLessonTitle);
-  change(std::move(next));
+  type(std::move(next));
 }
 
 void LessonEditor::set_caption(const std::string& caption) {
+  end_typing();
+  type_caption(caption);
+  end_typing();
+}
+
+void LessonEditor::type_caption(const std::string& caption) {
   const auto step = chosen();
   if (!step) return;
   Lesson next = lesson();
   next.steps[*step].caption = beginning_of(caption, kLongestLessonCaption);
-  change(std::move(next));
+  type(std::move(next));
 }
 
 void LessonEditor::set_seconds(double seconds) {

@@ -43,12 +43,16 @@ class LessonEditor {
   bool can_mark() const;
   /// Makes the present display a step after the chosen one, or the last one, and chooses it. Requires `can_mark`.
   void mark();
-  void set_title(const std::string& title);
+  /// A text that is being typed enters the lesson letter by letter, so that a crash loses none; all letters until
+  /// `end_typing` are one change to take back.
+  void type_title(const std::string& title);
+  void end_typing() { typed_.reset(); }
 
   // The following functions refer to the chosen step.
   /// Replaces its display by the present one, and keeps its caption.
   void mark_again();
   void set_caption(const std::string& caption);
+  void type_caption(const std::string& caption);
   /// Sets its duration in a video; 0: the time needed to read its caption.
   void set_seconds(double seconds);
   void remove();
@@ -62,13 +66,15 @@ class LessonEditor {
   /// The present moment, without a caption.
   LessonStep moment();
   void change(Lesson next);
+  void type(Lesson next);
   /// Adapts to another document, whose lesson has no steps to take back.
   void follow();
 
   Editor& editor_;
   std::function<Look()> look_;
   std::optional<std::size_t> chosen_;
-  std::vector<Lesson> before_;  // the lessons that `take_back` restores, the last one first
+  std::vector<Lesson> before_;   // the lessons that `take_back` restores, the last one first
+  std::optional<Lesson> typed_;  // what the last letter made of the lesson
   std::uint64_t generation_ = 0;
 };
 

@@ -161,6 +161,29 @@ TEST_CASE("a lesson is unsaved until it is saved, and another document has anoth
   CHECK(room.lesson_editor.lesson().steps.empty());
 }
 
+TEST_CASE("a caption enters the lesson while it is typed, and is taken back as one change") {
+  LessonRoom room;
+  REQUIRE(room.editor.load({.positions = {{0, 0}}}));
+  room.lesson_editor.mark();
+  room.lesson_editor.set_caption("Before");
+  const auto type = [&](const std::string& text) {
+    for (std::size_t i = 1; i <= text.size(); ++i) {
+      room.lesson_editor.type_caption(text.substr(0, i));
+      REQUIRE(room.lesson_editor.lesson().steps[0].caption == text.substr(0, i));
+    }
+    room.lesson_editor.end_typing();
+  };
+  type("The crust");
+  type("A crust");
+  room.lesson_editor.type_title("T");
+  room.lesson_editor.type_title("");
+  room.lesson_editor.end_typing();
+  room.lesson_editor.take_back();
+  CHECK(room.lesson_editor.lesson().steps[0].caption == "The crust");
+  room.lesson_editor.take_back();
+  CHECK(room.lesson_editor.lesson().steps[0].caption == "Before");
+}
+
 TEST_CASE("lessons keep the bounds that their readers have") {
   LessonRoom room;
   REQUIRE(room.editor.load({.positions = {{0, 0}}}));
@@ -172,7 +195,7 @@ TEST_CASE("lessons keep the bounds that their readers have") {
   std::string letters;
   while (letters.size() < kLongestLessonCaption + 10) letters += "\xc3\xa9";
   room.lesson_editor.set_caption("x" + letters);
-  room.lesson_editor.set_title("x" + letters);
+  room.lesson_editor.type_title("x" + letters);
   // No letter is cut: one byte less than the most.
   CHECK(room.lesson_editor.lesson().steps.back().caption.size() == kLongestLessonCaption - 1);
   CHECK(room.lesson_editor.lesson().title.size() == kLongestLessonTitle - 1);

@@ -27,7 +27,6 @@ std::string name_of_step(const LessonStep& step) {
 
 }  // namespace
 
-// Typed text enters the lesson when its field is left, so that it is one change.
 void LessonPanel::draw() {
   if (presenter_.is_running()) {
     ImGui::TextDisabled("The lesson is being presented");
@@ -93,8 +92,8 @@ void LessonPanel::draw_head() {
     lesson_editor_.take_back();
   tooltip(gui_, "Undo the last change of the lesson");
   ImGui::SetNextItemWidth(-1.0F);
-  ImGui::InputTextWithHint("##title", "Title of the lesson", &title_);
-  if (ImGui::IsItemDeactivatedAfterEdit()) lesson_editor_.set_title(title_);
+  if (ImGui::InputTextWithHint("##title", "Title of the lesson", &title_)) lesson_editor_.type_title(title_);
+  if (ImGui::IsItemDeactivated()) lesson_editor_.end_typing();
 }
 
 std::optional<std::size_t> LessonPanel::draw_steps(const Lesson& lesson, std::optional<std::size_t> current,
@@ -129,9 +128,13 @@ void LessonPanel::draw_chosen(float height) {
   ImGui::Separator();
   draw_buttons();
   const std::string typed = caption_;
-  ImGui::InputTextMultiline("##caption", &caption_, {-1.0F, height});
-  if (is_left_by_escape()) caption_ = typed;
-  if (ImGui::IsItemDeactivatedAfterEdit()) lesson_editor_.set_caption(caption_);
+  const bool has_changed = ImGui::InputTextMultiline("##caption", &caption_, {-1.0F, height});
+  if (is_left_by_escape()) {
+    caption_ = typed;
+  } else if (has_changed) {
+    lesson_editor_.type_caption(caption_);
+  }
+  if (ImGui::IsItemDeactivated()) lesson_editor_.end_typing();
   if (caption_.empty() && !ImGui::IsItemActive()) {
     const ImVec2 corner = ImGui::GetItemRectMin();
     const ImVec2 padding = ImGui::GetStyle().FramePadding;
