@@ -2,6 +2,8 @@
 // `mesecina export --structure`: a table of a structure for other programs.
 #include <fmt/core.h>
 #include <algorithm>
+#include <cmath>
+#include <cstring>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,6 +16,7 @@
 #include "app/cli/requests/session_settings.h"
 #include "core/graph/registry.h"
 #include "core/graph/write_table.h"
+#include "core/io/systems/map_conversion.h"
 #include "core/io/text/text_numbers.h"
 #include "core/workbench/workbench.h"
 
@@ -51,6 +54,19 @@ Expected<std::string> select_table(const Registry& registry, const ExportRequest
   return request.table;
 }
 
+/// Positions become those of the map; `plane` has to live as long as the table.
+void write_on_map(TableColumns& table, const WrittenPlane& plane) {
+  for (TableColumn& column : table.columns) {
+    if (column.type != ColumnType::float64 || column.parts.size() != 2 || column.parts.front() != "x") continue;
+    column.read = [on_plane = column, &plane](RowNumber row, void* out) {
+      Vec2 p;
+      on_plane.copy_row(row, &p);
+      if (std::isfinite(p.x) && std::isfinite(p.y)) p = plane.position(p);
+      std::memcpy(out, &p, sizeof p);
+    };
+  }
+}
+
 }  // namespace
 
 Expected<void> run_table_export(const Registry& registry, const ExportRequest& request, Interruption& interruption) {
@@ -62,6 +78,8 @@ Expected<void> run_table_export(const Registry& registry, const ExportRequest& r
   const auto input = read_source(registry, request.source);
   if (!input) return std::unexpected(input.error());
 
+  const auto plane = WrittenPlane::of(input->file.data.map);
+  if (!plane) return std::unexpected(plane.error());
   std::string bytes;
   {
     Progress progress;
@@ -76,8 +94,9 @@ Expected<void> run_table_export(const Registry& registry, const ExportRequest& r
     });
     JobControl job;
     if (auto done = bench.run(job); !done) return done;
-    const auto tables = tables_of(bench.graph().structures(), request.structure);
+    auto tables = tables_of(bench.graph().structures(), request.structure);
     const auto table = std::ranges::find(tables, *name, &TableColumns::name);
+    if (input->file.data.map) write_on_map(*table, *plane);
     write_table(*table, *format, [&bytes](std::string_view piece) { bytes += piece; });
   }
   return write_output(request.output, bytes, interruption, {input->file.sources, request.force});

@@ -235,7 +235,10 @@ void write_structures(const Registry& registry, Markdown& page) {
       "What is computed, and from what; only what a layer shown needs is. `mesecina compute` gives the counters of\n"
       "each, the panel of statistics shows them. `mesecina export FILE --structure ID --table NAME --format csv` "
       "writes a\n"
-      "table, and `--format npy` writes it for NumPy; `mesecina list structures --json` describes all columns.");
+      "table, and `--format npy` writes it for NumPy; `mesecina list structures --json` describes all columns. "
+      "Positions in\n"
+      "the table of a map in degrees are longitude and latitude; lengths are in metres,\n"
+      "or in kilometres if the map is wider than a hemisphere.");
   const StructureSet structures = registry.make_structures();
   Rows rows;
   for (const auto& structure : structures.all()) {

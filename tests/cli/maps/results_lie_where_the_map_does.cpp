@@ -177,6 +177,20 @@ TEST_CASE("layers of a map are written in its system") {
   CHECK(largest == Approx(4.0).epsilon(0.01));
 }
 
+TEST_CASE("positions in tables of structures are those of the map") {
+  const TemporaryFolder folder;
+  const std::string grid = folder.write("a.wkt", std::string("SRID=25832;") + kHouse).string();
+  const std::string degrees = folder.write("b.wkt", std::string("SRID=4326;") + kHouseInDegrees).string();
+  const auto table = [](const std::string& file, const char* structure, const char* name) {
+    const std::string csv = well_done({"export", file, "--structure", structure, "--table", name, "--format", "csv"});
+    return positions_of_csv(csv, 1);
+  };
+  check_in_house(table(grid, "samples", "samples"));
+  check_in_house_in_degrees(table(degrees, "samples", "samples"));
+  check_in_house_in_degrees(table(degrees, "outline-axis", "nodes"));
+  CHECK(table(degrees, "outline-axis", "nodes").size() == table(grid, "outline-axis", "nodes").size());
+}
+
 TEST_CASE("POFF and sessions keep the system on the way from map to map") {
   const TemporaryFolder folder;
   const std::string map = folder.write("a.wkt", std::string("SRID=25832;") + kHouse).string();
