@@ -4,6 +4,8 @@
 #include <fmt/core.h>
 #include <algorithm>
 
+#include "core/base/counted.h"
+
 namespace mes {
 
 template <class Row>
@@ -81,12 +83,9 @@ void Selection::follow(const DocumentDelta& delta) {
 }
 
 std::string counted(std::size_t samples, std::size_t balls) {
-  const auto some = [](std::size_t count, const char* noun) {
-    return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
-  };
   if (samples == 0 && balls == 0) return "nothing";
-  if (balls == 0) return some(samples, "sample");
-  return (samples == 0 ? "" : some(samples, "sample") + " and ") + some(balls, "ball");
+  if (balls == 0) return counted(samples, "sample");
+  return (samples == 0 ? "" : counted(samples, "sample") + " and ") + counted(balls, "ball");
 }
 
 std::string noun_of(const Selection& selection) {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/base/counted.h"
 #include "core/document/live_corners.h"
 #include "core/edit/degenerate_places.h"
 #include "core/formula/formula.h"
@@ -49,9 +50,6 @@ std::string noun(std::size_t samples, std::size_t balls) {
 }
 
 std::string what_is_left_out(const SampleData& pasted) {
-  const auto counted = [](std::size_t count, std::string_view one) {
-    return fmt::format("{} {}{}", count, one, count == 1 ? "" : "s");
-  };
   std::string out;
   if (!pasted.contours.empty()) out = "their order along " + counted(pasted.contours.size(), "contour");
   if (pasted.annotations.empty()) return out;

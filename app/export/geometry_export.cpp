@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/base/counted.h"
 #include "core/graph/registry.h"
 
 namespace mes {
@@ -36,17 +37,15 @@ std::string remark_about(const LayerText& text, const LayerTextFormat& format) {
   std::string out;
   if (text.left_out != 0)
     out = fmt::format("{} left out: {} holds finite shapes only",
-                      text.left_out == 1 ? "1 ray or line is" : fmt::format("{} rays and lines are", text.left_out),
-                      format.name);
+                      counted(text.left_out, "ray or line is", "rays and lines are"), format.name);
   if (text.without_area != 0)
     out +=
         fmt::format("{}{} left out, because {} or {} free ends", out.empty() ? "" : "; ",
-                    text.without_area == 1 ? "1 line is" : fmt::format("{} lines are", text.without_area),
+                    counted(text.without_area, "line is", "lines are"),
                     text.without_area == 1 ? "it branches" : "they branch", text.without_area == 1 ? "has" : "have");
   if (text.off_earth != 0)
     out += fmt::format("{}{} left out that {} beyond the poles or around the Earth", out.empty() ? "" : "; ",
-                       text.off_earth == 1 ? "1 shape is" : fmt::format("{} shapes are", text.off_earth),
-                       text.off_earth == 1 ? "reaches" : "reach");
+                       counted(text.off_earth, "shape is", "shapes are"), text.off_earth == 1 ? "reaches" : "reach");
   return out;
 }
 

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "app/insight/center_line_run.h"
+#include "core/base/counted.h"
 #include "core/io/systems/map_conversion.h"
 #include "core/io/text/text_numbers.h"
 #include "core/structures/balls/kept_union.h"
@@ -169,12 +170,9 @@ Expected<BranchTable> branch_table_of(const Registry& registry, const SampleData
 }
 
 std::string kept_in_words(const BranchTable& table) {
-  const auto counted = [](std::int64_t count, const char* one, const char* more) {
-    return fmt::format("{} {}", count, count == 1 ? one : more);
-  };
-  std::string out = fmt::format(
-      "{}, length {:.6g}, {}, {}", counted(std::ssize(table.branches), "branch", "branches"), table.length,
-      counted(table.components, "component", "components"), counted(table.cycles, "cycle", "cycles"));
+  std::string out = fmt::format("{}, length {:.6g}, {}, {}", counted(table.branches.size(), "branch", "branches"),
+                                table.length, counted(static_cast<std::size_t>(table.components), "component"),
+                                counted(static_cast<std::size_t>(table.cycles), "cycle"));
   if (table.share_of_shape > 0.0) out += fmt::format(", {:.4g} % of the shape", 100.0 * table.share_of_shape);
   if (!table.area_problem.empty()) out += ", share of the shape unknown: " + table.area_problem;
   return out;

@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/counted.h"
 #include "core/base/geometry/box2.h"
 #include "core/base/geometry/quick_length.h"
 #include "core/curves/curve.h"
@@ -58,10 +59,6 @@ double strip_ratio(const PlaneCurve& curve) {
   Box2 box;
   for (const Vec2 p : points) box.add(Vec2{dot(along, p - middle), cross(along, p - middle)});
   return box.width() / box.height();
-}
-
-std::string counted(std::size_t count, const std::string& one) {
-  return count == 1 ? "1 " + one : fmt::format("{} {}s", count, one);
 }
 
 void keep_curves(std::shared_ptr<const CurveSet>& curves, std::vector<Vec2> points, auto is_kept) {

@@ -6,6 +6,7 @@
 #include <span>
 #include <string_view>
 
+#include "core/base/counted.h"
 #include "core/document/document.h"
 
 namespace mes {
@@ -14,10 +15,6 @@ namespace {
 void show(LayerStack& layers, std::span<const std::string_view> ids) {
   for (const std::string_view id : ids)
     if (const LayerIndex layer = layers.find(id); layer != kNoLayer) layers.set_visible(layer, true);
-}
-
-std::string counted(std::size_t n, const std::string& noun) {
-  return std::to_string(n) + ' ' + noun + (n == 1 ? "" : "s");
 }
 
 }  // namespace

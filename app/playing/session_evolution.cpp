@@ -6,6 +6,7 @@
 #include <map>
 #include <string>
 
+#include "core/base/counted.h"
 #include "core/graph/registry.h"
 
 namespace mes {
@@ -35,7 +36,7 @@ SessionEvolution session_evolution(const Registry& registry, const EvolutionChoi
 }
 
 std::string name_of_state(const EvolutionDescriptor& evolution, std::uint64_t step) {
-  return fmt::format("{}, {} {}", evolution.name, step, step == 1 ? "step" : "steps");
+  return fmt::format("{}, {}", evolution.name, counted(step, "step"));
 }
 
 }  // namespace mes

@@ -11,6 +11,7 @@
 
 #include "app/recording/frame_view.h"
 #include "app/recording/picture_clipboard.h"
+#include "core/base/counted.h"
 #include "core/io/session/session.h"
 #include "render/image/png.h"
 
@@ -18,10 +19,6 @@ namespace mes {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string counted_frames(std::size_t n) {
-  return fmt::format("{} {}", n, n == 1 ? "frame" : "frames");
-}
 
 /// Writes a picture with its session, which is left out if it is too long for a picture.
 Expected<fs::path> write_picture(const render::Image& image, const fs::path& folder,
@@ -417,12 +414,12 @@ bool WindowRecorder::follow() {
 void WindowRecorder::tell_end(const Finished& done) {
   if (done.frames != 0) last_take_ = done.folder;
   if (!done.result)
-    messages_.problem("Recording stopped after " + counted_frames(done.frames) + ": " +
+    messages_.problem("Recording stopped after " + counted(done.frames, "frame") + ": " +
                       done.result.error().message());
   else if (done.frames == 0)
     messages_.remark("Nothing was recorded");
   else
-    messages_.remark("Recorded " + counted_frames(done.frames) + " in " + done.folder.string());
+    messages_.remark("Recorded " + counted(done.frames, "frame") + " in " + done.folder.string());
 }
 
 void WindowRecorder::tell_snapshot(const Expected<fs::path>& file) {

@@ -5,6 +5,7 @@
 #include <new>
 #include <utility>
 
+#include "core/base/counted.h"
 #include "core/engine/graph.h"
 #include "core/graph/explain.h"
 
@@ -57,7 +58,7 @@ std::vector<ProvenanceLine> Graph::sources_of_values(const ProvenanceQuestion& q
   if (found.empty()) return {};
   if (found.size() > kMost)
     return {{ProvenanceRole::itself, "more than 20,000 elements have such a value", {}, false}};
-  ProvenanceLine out{ProvenanceRole::origin, count_text(found.size(), "element", "elements"), {}, false};
+  ProvenanceLine out{ProvenanceRole::origin, counted(found.size(), "element", "elements"), {}, false};
   for (const auto& [variant, element, shape] : found) {
     job.checkpoint();  // some lookups scan all rows
     out.shapes.push_back(shape);

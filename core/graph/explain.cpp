@@ -6,6 +6,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "core/base/counted.h"
 #include "core/graph/table_columns.h"
 #include "core/graph/write_table.h"
 
@@ -22,9 +23,6 @@ std::string number_text(double x) {
 }
 std::string place_text(Vec2 p) {
   return fmt::format("({:.6g}, {:.6g})", p.x, p.y);
-}
-std::string count_text(std::size_t count, const std::string& one, const std::string& many) {
-  return fmt::format("{} {}", count, count == 1 ? one : many);
 }
 
 void Explanation::about(const Element& element) {
@@ -53,7 +51,7 @@ void Explanation::say_any(ProvenanceRole role, const std::string& one, const std
       std::ranges::find_if(lines_, [&](const Draft& other) { return other.line.role == role && other.key == one; });
   if (draft == lines_.end()) draft = lines_.insert(draft, {{role, {}, {}, false}, one});
   std::ranges::move(shapes.take(), std::back_inserter(draft->line.shapes));
-  draft->line.text = count_text(draft->line.shapes.size(), one, many);
+  draft->line.text = counted(draft->line.shapes.size(), one, many);
 }
 
 std::vector<ProvenanceLine> Explanation::take() {

@@ -69,8 +69,6 @@ class ProvenanceShapes {
 /// A number as in the lines: six digits.
 std::string number_text(double x);
 std::string place_text(Vec2 p);
-/// "1 edge", "2 edges".
-std::string count_text(std::size_t count, const std::string& one, const std::string& many);
 
 /// The lines about one element. Structures add theirs in `Structure::explain`, inputs before consumers. Each describes
 /// only the contents of its own tables, so several may describe one row.

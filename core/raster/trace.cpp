@@ -8,6 +8,7 @@
 #include <cstring>
 #include <utility>
 
+#include "core/base/counted.h"
 #include "core/base/jobs/parallel.h"
 #include "core/raster/internal/noise.h"
 #include "core/raster/internal/outline.h"
@@ -20,10 +21,6 @@ constexpr double kShareOfSharp = 0.6;
 
 std::unexpected<Error> no_trace(ErrorCode code, std::string text) {
   return std::unexpected(Error{code, std::move(text)});
-}
-
-std::string number_of(std::size_t count, std::string_view one) {
-  return fmt::format("{} {}{}", count, one, count == 1 ? "" : "s");
 }
 
 /// The threshold is the number that the user chooses, not the point halfway to the next value.
@@ -307,9 +304,9 @@ SamplingRequest sampling_of_tracing(const CurveSet& curves) {
 
 std::string left_out_text(const TraceCounts& counts) {
   std::string out;
-  if (counts.specks != 0) out = number_of(counts.specks, "speck");
+  if (counts.specks != 0) out = counted(counts.specks, "speck");
   if (counts.specks != 0 && counts.pinholes != 0) out += " and ";
-  if (counts.pinholes != 0) out += number_of(counts.pinholes, "hole");
+  if (counts.pinholes != 0) out += counted(counts.pinholes, "hole");
   return out;
 }
 

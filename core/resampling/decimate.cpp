@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "core/base/counted.h"
 #include "core/graph/explain.h"
 #include "core/resampling/internal/before_and_now.h"
 #include "core/resampling/internal/sampled_curve.h"
@@ -251,11 +252,11 @@ Expected<Decimation> decimate(const Registry& registry, const SampleData& data, 
 }
 
 std::string Decimation::words() const {
-  const std::string went = count_text(removed.size(), "sample", "samples") + " of " +
+  const std::string went = counted(removed.size(), "sample", "samples") + " of " +
                            std::to_string(removed.size() + data.positions.size()) + " removed; ";
   if (!no_axis.empty()) return went + no_axis;
-  return went + "the axis has " + count_text(static_cast<std::size_t>(components), "component", "components") +
-         " and " + count_text(static_cast<std::size_t>(cycles), "cycle", "cycles") + " as before; " +
+  return went + "the axis has " + counted(static_cast<std::size_t>(components), "component", "components") + " and " +
+         counted(static_cast<std::size_t>(cycles), "cycle", "cycles") + " as before; " +
          before_and_now(before, after);
 }
 

@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 
+#include "core/base/counted.h"
 #include "core/graph/explain.h"
 #include "core/resampling/internal/before_and_now.h"
 #include "core/resampling/internal/repair_on_curves.h"
@@ -394,22 +395,22 @@ std::vector<std::string> Repair::words() const {
             (crossings == 1 ? std::string("once") : std::to_string(crossings) + " times") +
             ", and no samples are dense enough there"};
   std::vector<std::string> out;
-  out.push_back(count_text(inserted, "sample", "samples") +
+  out.push_back(counted(inserted, "sample", "samples") +
                 (is_on_curves ? " inserted on the curves; " : " inserted; ") + before_and_now(before, after));
   if (off_curve != 0)
-    out.push_back(count_text(off_curve, "sample", "samples") + " off the curves " +
-                  (off_curve == 1 ? "stays" : "stay") + " as before");
+    out.push_back(counted(off_curve, "sample", "samples") + " off the curves " + (off_curve == 1 ? "stays" : "stay") +
+                  " as before");
   if (!corners.empty()) {
     const auto sharpest = std::ranges::min_element(corners, {}, &SampledCorner::degrees);
-    out.push_back("at " + count_text(corners.size(), "corner", "corners") +
+    out.push_back("at " + counted(corners.size(), "corner", "corners") +
                   " no samples are dense enough: the sharpest has " + number_text(sharpest->degrees) + " degrees, " +
                   place_and_more(sharpest->place, corners.size()));
   }
   if (!left.empty())
-    out.push_back(count_text(left.size(), "curve edge", "curve edges") + " could not be made short enough, " +
+    out.push_back(counted(left.size(), "curve edge", "curve edges") + " could not be made short enough, " +
                   place_and_more(left.front(), left.size()));
   if (!open_ends.empty())
-    out.push_back("the curve has " + count_text(open_ends.size(), "end or junction", "ends or junctions") +
+    out.push_back("the curve has " + counted(open_ends.size(), "end or junction", "ends or junctions") +
                   ", where its edges stay as they are, " + place_and_more(open_ends.front(), open_ends.size()));
   return out;
 }

@@ -16,6 +16,7 @@
 #include "app/export/cell_export.h"
 #include "app/export/geometry_export.h"
 #include "app/store/texts/layer_text.h"
+#include "core/base/counted.h"
 #include "core/base/jobs/parallel.h"
 #include "core/graph/registry.h"
 #include "core/io/text/text_numbers.h"
@@ -150,8 +151,7 @@ Expected<void> run_cell_export(const Registry& registry, const ExportRequest& re
                                : fmt::format("{} samples lie on others, and share their cells", out->without_cell));
   if (out->off_earth != 0)
     say(fmt::format("{} left out that {} beyond the poles or around the Earth",
-                    out->off_earth == 1 ? "1 cell is" : fmt::format("{} cells are", out->off_earth),
-                    out->off_earth == 1 ? "reaches" : "reach"));
+                    counted(out->off_earth, "cell is", "cells are"), out->off_earth == 1 ? "reaches" : "reach"));
   return write_output(request.output, out->text, interruption, {input->file.sources, request.force});
 }
 

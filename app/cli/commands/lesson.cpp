@@ -27,6 +27,7 @@
 #include "app/recording/video.h"
 #include "app/store/lessons.h"
 #include "app/store/sample_shapes.h"
+#include "core/base/counted.h"
 #include "core/io/session/session.h"
 #include "core/io/text/text_numbers.h"
 
@@ -86,8 +87,7 @@ Expected<std::vector<std::size_t>> parse_steps(const std::string& text, std::siz
     if (!first || !last || *first < 1 || *last < *first)
       return usage_error("--steps expects numbers from 1 and ranges, as in 2-4 or 1,3-5, not " + in_quotes(text));
     if (*last > count)
-      return usage_error(
-          fmt::format("--steps: the lesson has {} {}, and no step {}", count, count == 1 ? "step" : "steps", *last));
+      return usage_error(fmt::format("--steps: the lesson has {}, and no step {}", counted(count, "step"), *last));
     std::fill(is_wanted.begin() + static_cast<std::ptrdiff_t>(*first - 1),
               is_wanted.begin() + static_cast<std::ptrdiff_t>(*last), true);
   }

@@ -15,6 +15,7 @@
 #include "app/store/looks/color_maps.h"
 #include "app/store/sample_shapes.h"
 #include "app/store/texts/layer_text.h"
+#include "core/base/counted.h"
 #include "core/document/settings/parameter.h"
 #include "core/evolutions/evolution.h"
 #include "core/glyphs/fonts.h"
@@ -111,7 +112,7 @@ std::vector<Entry> structure_entries(const Registry& registry) {
       if (!layer.is_removed && std::ranges::find(layer.structures, id) != layer.structures.end())
         readers.push_back(layer.id);
     out.push_back({std::string(id),
-                   fmt::format("read by {} {}; {}", readers.size(), readers.size() == 1 ? "layer" : "layers",
+                   fmt::format("read by {}; {}", counted(readers.size(), "layer"),
                                tables.empty() ? "no table" : "tables: " + names),
                    {{"id", id},
                     {"inputs", spec.inputs},

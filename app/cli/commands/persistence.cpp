@@ -11,6 +11,7 @@
 #include "app/cli/requests/names.h"
 #include "app/cli/requests/session_settings.h"
 #include "app/insight/persistence_table.h"
+#include "core/base/counted.h"
 #include "core/io/text/text_numbers.h"
 
 namespace mes::cli {
@@ -33,9 +34,8 @@ Expected<void> run_persistence(const Registry& registry, const PersistenceReques
   if (!table) return std::unexpected(table.error());
   const auto longest = std::ranges::find(table->rows, true, &PersistenceRow::is_hole);
   const std::string words =
-      fmt::format("{} {}, {} {}{}", table->rows.size() - table->closes.size(),
-                  table->rows.size() - table->closes.size() == 1 ? "component" : "components", table->closes.size(),
-                  table->closes.size() == 1 ? "hole" : "holes",
+      fmt::format("{}, {}{}", counted(table->rows.size() - table->closes.size(), "component"),
+                  counted(table->closes.size(), "hole"),
                   longest == table->rows.end() ? std::string() : "; the longest " + in_words(*longest));
   const auto csv = persistence_as_csv(*table);
   if (!csv) return std::unexpected(csv.error());

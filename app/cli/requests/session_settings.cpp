@@ -9,6 +9,7 @@
 #include "app/cli/requests/input.h"
 #include "app/cli/requests/names.h"
 #include "app/playing/session_evolution.h"
+#include "core/base/counted.h"
 #include "core/graph/registry.h"
 
 namespace mes::cli {
@@ -51,8 +52,7 @@ SessionEvolution evolution_without_history(const Registry& registry, const Sessi
 }
 
 void say_unknown_layers(std::size_t count, const std::string& what) {
-  if (count != 0)
-    say(fmt::format("{}: {} {} not available here", what, count, count == 1 ? "layer is" : "layers are"));
+  if (count != 0) say(fmt::format("{}: {} not available here", what, counted(count, "layer is", "layers are")));
 }
 
 }  // namespace mes::cli

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 
+#include "core/base/counted.h"
+
 namespace mes {
 namespace {
 
@@ -17,10 +19,6 @@ constexpr std::array<ContourWords, kContourChanges> kContourWords{{{"Join contou
                                                                    {"Open contours", "Opened"},
                                                                    {"Reverse contours", "Reversed"},
                                                                    {"Forget contours", "Forgotten"}}};
-
-std::string counted_contours(std::size_t count) {
-  return std::to_string(count) + (count == 1 ? " contour" : " contours");
-}
 
 }  // namespace
 
@@ -45,7 +43,7 @@ Expected<std::string> ContourCommands::change(ContourChange change) {
   const ContourWords& words = kContourWords[static_cast<std::size_t>(change)];
   if (auto done = put(*contours, words.step); !done) return std::unexpected(done.error());
   const std::size_t after = contours->contours.size();
-  return std::string(words.done) + ": the document has " + counted_contours(after) +
+  return std::string(words.done) + ": the document has " + counted(after, "contour") +
          (before == after ? "" : " instead of " + std::to_string(before));
 }
 
@@ -72,7 +70,7 @@ Expected<std::string> ContourCommands::along(const CrustChains::Curve& curve) {
   const CurveOrder contours = with_contours(document, std::move(chains));
   if (contours == *document.curve_order()) return std::string("The contours are the chains of the crust already");
   if (auto done = put(contours, "Contours along the crust"); !done) return std::unexpected(done.error());
-  return counted_contours(count) + " along the crust";
+  return counted(count, "contour") + " along the crust";
 }
 
 Expected<std::optional<std::string>> ContourCommands::follow() {

@@ -13,6 +13,7 @@
 #include "app/ui/widgets/paragraph.h"
 #include "app/ui/widgets/slider.h"
 #include "app/ui/widgets/widgets.h"
+#include "core/base/counted.h"
 
 namespace mes {
 namespace {
@@ -33,10 +34,6 @@ constexpr std::array kSides{
     SideWord{FigureSide::dark, "Dark", "Pixels of the threshold's grey value or darker"},
     SideWord{FigureSide::light, "Light", "Pixels lighter than the threshold's grey value"},
 };
-
-std::string count_with_noun(std::size_t count, const char* one) {
-  return fmt::format("{} {}{}", count, one, count == 1 ? "" : "s");
-}
 
 /// The position of a picture with this many pixels, as large as fits the room.
 struct Placed {
@@ -125,7 +122,7 @@ void TraceDialog::draw_facts(const Gui& gui) {
   const Expected<Tracing>& outlines = uses_->job.outlines(request());
   if (outlines) {
     if (const auto counts = uses_->job.counts(request())) {
-      paragraph(count_with_noun(counts->outlines, "outline"));
+      paragraph(counted(counts->outlines, "outline"));
       if (const std::string left_out = left_out_text(*counts); !left_out.empty())
         quiet_paragraph("Left out: " + left_out);
     } else {

@@ -9,6 +9,7 @@
 #include "app/layers/empty_view.h"
 #include "app/ui/widgets/icons.h"
 #include "app/ui/widgets/widgets.h"
+#include "core/base/counted.h"
 
 namespace mes {
 namespace {
@@ -19,7 +20,7 @@ std::string words_of(AddedKind kind, std::size_t count) {
     case AddedKind::balls: return counted(0, count) + " added; the layers of your own balls are hidden";
     case AddedKind::annotations: break;
   }
-  return fmt::format("{} annotation{} added; annotations are hidden", count, count == 1 ? "" : "s");
+  return counted(count, "annotation") + " added; annotations are hidden";
 }
 
 std::string show_label_of(AddedKind kind) {

@@ -10,6 +10,7 @@
 #include "app/ui/widgets/paragraph.h"
 #include "app/ui/widgets/slider.h"
 #include "app/ui/widgets/widgets.h"
+#include "core/base/counted.h"
 #include "core/base/geometry/box2.h"
 
 namespace mes {
@@ -17,10 +18,6 @@ namespace {
 
 constexpr double kDegrees = 180.0 / std::numbers::pi;
 constexpr double kMostNumber = 100'000.0;
-
-std::string count_words(std::size_t count, const char* one, const char* several) {
-  return fmt::format("{} {}", count, count == 1 ? one : several);
-}
 
 }  // namespace
 
@@ -65,8 +62,7 @@ void CurvesPanel::draw() {
     const std::size_t curves = sampler_.source()->curves->curves.size();
     const std::size_t corners = sampler_.corners().size();
     ImGui::TextUnformatted(
-        fmt::format("{} of {}", count_words(curves, "curve", "curves"), count_words(pieces_, "piece", "pieces"))
-            .c_str());
+        fmt::format("{} of {}", counted(curves, "curve", "curves"), counted(pieces_, "piece", "pieces")).c_str());
     tooltip(gui_, "As the file, the picture or the shape defined them; sessions store them");
     SamplingRequest request = sampler_.request();
     draw_rule(request);
@@ -142,7 +138,7 @@ void CurvesPanel::draw_density(SamplingRequest& request) {
 void CurvesPanel::draw_corners(SamplingRequest& request) {
   const float unit = gui_.unit();
   ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted(count_words(sampler_.corners().size(), "corner", "corners").c_str());
+  ImGui::TextUnformatted(counted(sampler_.corners().size(), "corner", "corners").c_str());
   tooltip(gui_, fmt::format("Where the tangent turns by more than {:.0f} degrees. The local feature size is zero "
                             "there: no density satisfies an epsilon",
                             kDegrees * request.corner_angle));

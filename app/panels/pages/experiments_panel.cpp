@@ -11,6 +11,7 @@
 #include "app/ui/widgets/icons.h"
 #include "app/ui/widgets/paragraph.h"
 #include "app/ui/widgets/widgets.h"
+#include "core/base/counted.h"
 #include "imgui_stdlib.h"
 
 namespace mes {
@@ -19,17 +20,17 @@ namespace {
 /// Counts the contents: "1 structure, 2 layers".
 std::string contents_in_words(const ExperimentContents& contents) {
   std::string out;
-  const auto add = [&out](std::size_t count, const char* one, const char* several) {
+  const auto add = [&out](std::size_t count, const char* one) {
     if (count == 0) return;
     if (!out.empty()) out += ", ";
-    out += fmt::format("{} {}", count, count == 1 ? one : several);
+    out += counted(count, one);
   };
-  add(contents.structures.size(), "structure", "structures");
-  add(contents.layers.size(), "layer", "layers");
-  add(contents.parameters.size(), "parameter", "parameters");
-  add(contents.evolutions.size(), "evolution", "evolutions");
-  add(contents.shapes.size(), "shape", "shapes");
-  add(contents.formats.size(), "format", "formats");
+  add(contents.structures.size(), "structure");
+  add(contents.layers.size(), "layer");
+  add(contents.parameters.size(), "parameter");
+  add(contents.evolutions.size(), "evolution");
+  add(contents.shapes.size(), "shape");
+  add(contents.formats.size(), "format");
   return out.empty() ? "nothing" : out;
 }
 

@@ -12,6 +12,7 @@
 #include "app/ui/widgets/paragraph.h"
 #include "app/ui/widgets/widgets.h"
 #include "core/base/color.h"
+#include "core/base/counted.h"
 
 namespace mes {
 namespace {
@@ -138,11 +139,8 @@ void PersistencePanel::draw_words() {
     for (const PersistenceRow& row : table.rows)
       if (row.is_alive(ranks)) ++(row.is_hole ? alive_.holes : alive_.components);
   }
-  const std::size_t components = alive_.components;
-  const std::size_t holes = alive_.holes;
-  quiet_paragraph(fmt::format("Radius {:.4g}: {} {}, {} {}{}", radius, components,
-                              components == 1 ? "component" : "components", holes, holes == 1 ? "hole" : "holes",
-                              uses_.latest.is_current() ? "" : "; computing"));
+  quiet_paragraph(fmt::format("Radius {:.4g}: {}, {}{}", radius, counted(alive_.components, "component"),
+                              counted(alive_.holes, "hole"), uses_.latest.is_current() ? "" : "; computing"));
 }
 
 // Drawn below the diagram, which would otherwise move under the pointer when the text takes another line.

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/counted.h"
+
 namespace mes {
 namespace {
 
@@ -70,18 +72,15 @@ void CenterLineTotals::add(const CenterLines& found, double unit) {
 std::string CenterLineTotals::text(const std::optional<MapPlane>& map, std::uint64_t off_earth,
                                    std::size_t stations) const {
   const std::string unit = map ? fmt::format(" {}", map->written_unit()) : std::string();
-  std::string out = fmt::format("{} of length {:.6g}{} in all, width {:.6g} to {:.6g}{}",
-                                lines == 1 ? "1 line" : fmt::format("{} lines", lines), length.value(), unit,
-                                widths.least, widths.largest, unit);
-  if (stations != 0) out += stations == 1 ? ", 1 station" : fmt::format(", {} stations", stations);
+  std::string out = fmt::format("{} of length {:.6g}{} in all, width {:.6g} to {:.6g}{}", counted(lines, "line"),
+                                length.value(), unit, widths.least, widths.largest, unit);
+  if (stations != 0) out += ", " + counted(stations, "station");
   if (points != 0)
-    out += fmt::format("; {} no line, since {} pruned axis is a point",
-                       points == 1 ? "1 shape has" : fmt::format("{} shapes have", points),
+    out += fmt::format("; {} no line, since {} pruned axis is a point", counted(points, "shape has", "shapes have"),
                        points == 1 ? "its" : "their");
   if (off_earth != 0)
     out += fmt::format("; {} left out that {} beyond the poles or around the Earth",
-                       off_earth == 1 ? "1 line is" : fmt::format("{} lines are", off_earth),
-                       off_earth == 1 ? "reaches" : "reach");
+                       counted(off_earth, "line is", "lines are"), off_earth == 1 ? "reaches" : "reach");
   return out;
 }
 

@@ -4,6 +4,8 @@
 #include <fmt/core.h>
 #include <cmath>
 
+#include "core/base/counted.h"
+
 namespace mes {
 
 std::string SamplingEpsilon::text() const {
@@ -16,9 +18,9 @@ std::string SamplingEpsilon::text() const {
   }
   if (corners + ends == 0) return out;
   out += " (";
-  if (corners != 0) out += fmt::format("{} {}", corners, corners == 1 ? "corner" : "corners");
+  if (corners != 0) out += counted(corners, "corner");
   if (corners != 0 && ends != 0) out += ", ";
-  if (ends != 0) out += fmt::format("{} {}", ends, ends == 1 ? "end" : "ends");
+  if (ends != 0) out += counted(ends, "end");
   return out + " exempt)";
 }
 

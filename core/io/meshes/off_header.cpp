@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/base/counted.h"
+
 namespace mes {
 namespace {
 
@@ -80,7 +82,7 @@ Expected<void> OffReader::survey() const {
 std::optional<Error> OffReader::contradiction(const LineLayout& layout) const {
   const auto line = layout.contradiction(count_);
   if (!line) return std::nullopt;
-  std::string text = fmt::format("{} {} {}, but {} have {}", line->columns, line->columns == 1 ? "number" : "numbers",
+  std::string text = fmt::format("{} {}, but {} have {}", counted(line->columns, "number"),
                                  line->are_all_alike ? "a line" : "on this line", kind_.things, kind_.numbers_each);
   if (const std::string_view guess = kind_.guess(line->columns); line->are_all_alike && !guess.empty())
     text += fmt::format(": probably {}", guess);

@@ -6,6 +6,7 @@
 #include <tuple>
 #include <utility>
 
+#include "core/base/counted.h"
 #include "core/curves/joined_ends.h"
 #include "core/io/curve_samples.h"
 #include "core/io/meshes/flat_vertices.h"
@@ -46,10 +47,6 @@ std::vector<PlaneCurve> closed_chains(std::vector<PlaneCurve> chains) {
     }
   }
   return out;
-}
-
-std::string counted(std::size_t count, std::string_view one, std::string_view many) {
-  return fmt::format("{} {}", count, count == 1 ? one : many);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/counted.h"
 #include "core/io/text/text_numbers.h"
 
 namespace mes {
@@ -41,8 +42,7 @@ class CountedRemarks {
   /// file.
   template <class Use>
   void for_each(Use use) const {
-    for (const Kind& kind : kinds_)
-      use(printable(fmt::format("{} {}", kind.count, kind.count == 1 ? kind.one : kind.many)), kind.place);
+    for (const Kind& kind : kinds_) use(printable(counted(kind.count, kind.one, kind.many)), kind.place);
   }
 
  private:

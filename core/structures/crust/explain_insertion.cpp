@@ -2,6 +2,7 @@
 // Changes that a new sample would make in the one-step crust.
 #include <optional>
 
+#include "core/base/counted.h"
 #include "core/structures/crust/one_step_crust.h"
 #include "core/structures/delaunay/insertion_zone.h"
 
@@ -50,10 +51,10 @@ void OneStepCrust::explain_insertion(Vec2 at, Explanation& out) const {
     }
   }
   if (goes != 0)
-    out.say(ProvenanceRole::origin, count_text(goes, "edge of the curve removed", "edges of the curve removed"), gone,
+    out.say(ProvenanceRole::origin, counted(goes, "edge of the curve removed", "edges of the curve removed"), gone,
             true);
   if (comes != 0)
-    out.say(ProvenanceRole::product, count_text(comes, "edge of the curve added", "edges of the curve added"), come,
+    out.say(ProvenanceRole::product, counted(comes, "edge of the curve added", "edges of the curve added"), come,
             true);
 }
 

@@ -2,6 +2,7 @@
 // Changes that a new sample would make in the Delaunay triangulation and the Voronoi diagram.
 #include <optional>
 
+#include "core/base/counted.h"
 #include "core/kernel/circumcircle.h"
 #include "core/structures/delaunay/explain_parts.h"
 #include "core/structures/delaunay/insertion_zone.h"
@@ -48,9 +49,9 @@ void Delaunay::explain_insertion(Vec2 at, Explanation& out) const {
   }
   out.say(ProvenanceRole::itself, "Sample at " + place_text(at) + ", with its Voronoi cell", itself);
   if (finite != 0)
-    out.say(ProvenanceRole::origin, count_text(finite, "Delaunay triangle removed", "Delaunay triangles removed"),
+    out.say(ProvenanceRole::origin, counted(finite, "Delaunay triangle removed", "Delaunay triangles removed"),
             triangles);
-  out.say(ProvenanceRole::product, count_text(neighbours, "Delaunay edge added", "Delaunay edges added"), edges);
+  out.say(ProvenanceRole::product, counted(neighbours, "Delaunay edge added", "Delaunay edges added"), edges);
 }
 
 }  // namespace mes

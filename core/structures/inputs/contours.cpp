@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "core/base/counted.h"
 #include "core/graph/explain.h"
 
 namespace mes {
@@ -204,7 +205,7 @@ void Contours::explain(ElementKind kind, RowNumber number, Explanation& out) con
   itself.segment(samples_.position(from), samples_.position(to));
   out.say(ProvenanceRole::itself,
           fmt::format("Link of contour {}, which is {} and has {}", which + 1, is_closed(which) ? "closed" : "open",
-                      count_text(count, "sample", "samples")),
+                      counted(count, "sample", "samples")),
           itself);
   ends.point(samples_.position(from));
   ends.point(samples_.position(to));

@@ -10,6 +10,7 @@
 #include "app/ui/screen/theme.h"
 #include "app/ui/widgets/icons.h"
 #include "app/ui/widgets/widgets.h"
+#include "core/base/counted.h"
 
 namespace mes {
 namespace {
@@ -79,7 +80,7 @@ LessonCard::Wish LessonCard::draw_title(const PanelArea& area) const {
   centered(presenter.lesson().title, std::clamp(height / 11.0, 28.0, 120.0), 0.5 * height, colors.ink, 0.43 * height);
   const std::size_t steps = presenter.step_count();
   const std::string key = actions.keymap().key_of(ActionId::next_bundle);
-  centered(fmt::format("{} step{}{}", steps, steps == 1 ? "" : "s",
+  centered(fmt::format("{}{}", counted(steps, "step"),
                        key.empty() ? std::string() : fmt::format("; {} or a click begins", key)),
            std::clamp(height / 36.0, 14.0, 40.0), 0.2 * height, colors.quiet, 0.66 * height);
   ImGui::End();

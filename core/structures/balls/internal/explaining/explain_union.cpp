@@ -5,6 +5,7 @@
 #include <map>
 #include <unordered_set>
 
+#include "core/base/counted.h"
 #include "core/graph/explain.h"
 #include "core/structures/axis/inner_balls.h"
 #include "core/structures/balls/ball_union.h"
@@ -218,7 +219,7 @@ void BallUnion::explain_place(FamilySlot row, Explanation& out) const {
   out.say_any(ProvenanceRole::product, "dual edge at it", "dual edges at it", edges);
   out.say_any(ProvenanceRole::product, "dual triangle at it", "dual triangles at it", triangles);
   out.say_any(ProvenanceRole::product, "end of its arcs on the boundary of the union",
-              "ends of its " + count_text(free_arcs, "arc", "arcs") + " on the boundary of the union", points);
+              "ends of its " + counted(free_arcs, "arc", "arcs") + " on the boundary of the union", points);
 }
 
 void BallUnion::explain_scale(FamilySlot row, Explanation& out) const {
