@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "app/layers/ball_families.h"
+#include "core/document/document.h"
 
 namespace mes {
 namespace {

@@ -27,12 +27,12 @@
 
 #include "core/base/error.h"
 #include "core/base/geometry/vec2.h"
-#include "core/document/document.h"
 #include "core/document/settings/parameter_values.h"
 #include "core/evolutions/moving_curve.h"
 
 namespace mes {
 
+class Document;
 class Registry;
 struct Evolution;
 struct ParameterMove;
