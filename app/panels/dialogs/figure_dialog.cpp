@@ -308,7 +308,8 @@ void FigureDialog::draw_layers(const Gui& gui) {
     settings.dots_per_inch = dots;
   tooltip(gui, "Resolution of these pictures");
   const float foot = 92 * unit;  // height of the messages below
-  ImGui::BeginChild("layers", {0, std::max(96 * unit, ImGui::GetContentRegionAvail().y - foot)}, true);
+  ImGui::BeginChild("layers", {0, std::max(96 * unit, ImGui::GetContentRegionAvail().y - foot)}, true,
+                    ImGuiWindowFlags_NavFlattened);
   for (auto layer = preview->layers.rbegin(); layer != preview->layers.rend(); ++layer) {
     const auto chosen = std::ranges::find(rasterized_, layer->id);
     bool is_picture = chosen != rasterized_.end();
@@ -403,33 +404,34 @@ void FigureDialog::draw_preview(const Gui& gui) const {
 
 void FigureDialog::draw(const Gui& gui) {
   static constexpr std::array kButtons{"Export...", "Copy", "Cancel"};
-  large_dialog(
-      gui, kFigureDialogId, is_open_ && !is_covered_, {kFigureDialogWidth, kFigureDialogHeight}, [&](ImVec2) {
-        float longest = 0.0F;
-        const DialogColumn columns[] = {
-            {"settings", kSettings,
-             [&] {
-               ImGui::PushFont(gui.bold());
-               ImGui::TextUnformatted("Export a figure");
-               ImGui::PopFont();
-               ImGui::Dummy({1, 2 * gui.unit()});
-               draw_settings(gui);
-               draw_layers(gui);
-               draw_facts(gui);
-             }},
-            {"preview", 0, [&] {
-               const ImVec2 room = ImGui::GetContentRegionAvail();
-               const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
-               longest = std::max(room.x * scale.x, room.y * scale.y);
-               checkbox("Real size", &is_at_real_size_);
-               tooltip(gui, "Show the page as large as on paper, if the screen has 96 pixels per inch at 100 %");
-               ImGui::BeginChild("page", {0, 0}, false, ImGuiWindowFlags_HorizontalScrollbar);
-               draw_preview(gui);
-               ImGui::EndChild();
-             }}};
-        dialog_columns(gui, columns, {kButtons, [&](ButtonRows& buttons) { draw_buttons(gui, buttons); }});
-        uses_->latest.want(uses_->settings, rasterized_, static_cast<int>(longest));
-      });
+  large_dialog(gui, kFigureDialogId, is_open_ && !is_covered_, {kFigureDialogWidth, kFigureDialogHeight},
+               DialogKeys::controls, [&](ImVec2) {
+                 float longest = 0.0F;
+                 const DialogColumn columns[] = {
+                     {"settings", kSettings,
+                      [&] {
+                        ImGui::PushFont(gui.bold());
+                        ImGui::TextUnformatted("Export a figure");
+                        ImGui::PopFont();
+                        ImGui::Dummy({1, 2 * gui.unit()});
+                        draw_settings(gui);
+                        draw_layers(gui);
+                        draw_facts(gui);
+                      }},
+                     {"preview", 0, [&] {
+                        const ImVec2 room = ImGui::GetContentRegionAvail();
+                        const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
+                        longest = std::max(room.x * scale.x, room.y * scale.y);
+                        checkbox("Real size", &is_at_real_size_);
+                        tooltip(gui,
+                                "Show the page as large as on paper, if the screen has 96 pixels per inch at 100 %");
+                        ImGui::BeginChild("page", {0, 0}, false, ImGuiWindowFlags_HorizontalScrollbar);
+                        draw_preview(gui);
+                        ImGui::EndChild();
+                      }}};
+                 dialog_columns(gui, columns, {kButtons, [&](ButtonRows& buttons) { draw_buttons(gui, buttons); }});
+                 uses_->latest.want(uses_->settings, rasterized_, static_cast<int>(longest));
+               });
 }
 
 }  // namespace mes

@@ -367,7 +367,7 @@ void ManualPage::draw_text(const Gui& gui) {
 }
 
 void ManualPage::draw(const Gui& gui) {
-  large_dialog(gui, "##manual", is_open_, {kWidth, kHeight}, [&](ImVec2 size) {
+  large_dialog(gui, "##manual", is_open_, {kWidth, kHeight}, DialogKeys::own, [&](ImVec2 size) {
     const float unit = gui.unit();
     const float width = ImGui::GetContentRegionAvail().x;
     draw_head(gui, width);

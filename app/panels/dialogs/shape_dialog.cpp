@@ -123,7 +123,7 @@ void ShapeDialog::follow_wish() {
 
 void ShapeDialog::draw(const Gui& gui) {
   if (is_open_ && !follow_registry()) cancel();
-  large_dialog(gui, kShapeDialogId, is_open_, {kShapeDialogWidth, kShapeDialogHeight}, [&](ImVec2) {
+  large_dialog(gui, kShapeDialogId, is_open_, {kShapeDialogWidth, kShapeDialogHeight}, DialogKeys::own, [&](ImVec2) {
     const DialogColumn columns[] = {{"shapes", kShapeListWidth, [&] { draw_list(gui); }},
                                     {"settings", kShapeSettingsWidth,
                                      [&] {

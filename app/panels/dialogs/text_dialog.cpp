@@ -43,7 +43,7 @@ void TextDialog::draw_fonts(const Gui& gui) {
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
   ImGui::InputTextWithHint("##filter", "Find a font", &filter_);
   tooltip(gui, "Part of the name of the font family");
-  ImGui::BeginChild("families");
+  ImGui::BeginChild("families", {0, 0}, false, ImGuiWindowFlags_NavFlattened);
   const std::string wanted = lower_case(filter_);
   const auto row = [&](const std::string& family, const std::string& shown) {
     if (!lower_case(shown).contains(wanted)) return;
@@ -107,17 +107,19 @@ void TextDialog::follow_wish() {
 }
 
 void TextDialog::draw(const Gui& gui) {
-  large_dialog(gui, kTextDialogId, is_open_, {kTextDialogWidth, kTextDialogHeight}, [&](ImVec2) {
-    const DialogColumn columns[] = {{"fonts", kFontListWidth, [&] { draw_fonts(gui); }},
-                                    {"settings", kTextSettingsWidth,
-                                     [&] {
-                                       draw_settings(gui);
-                                       follow_wish();
-                                       maker_.draw_facts(gui);
-                                     }},
-                                    {"preview", 0, [&] { maker_.draw_preview(gui); }}};
-    dialog_columns(gui, columns, maker_.foot(gui, "Text", "The text becomes a new document", [this] { cancel(); }));
-  });
+  large_dialog(gui, kTextDialogId, is_open_, {kTextDialogWidth, kTextDialogHeight}, DialogKeys::controls,
+               [&](ImVec2) {
+                 const DialogColumn columns[] = {{"fonts", kFontListWidth, [&] { draw_fonts(gui); }},
+                                                 {"settings", kTextSettingsWidth,
+                                                  [&] {
+                                                    draw_settings(gui);
+                                                    follow_wish();
+                                                    maker_.draw_facts(gui);
+                                                  }},
+                                                 {"preview", 0, [&] { maker_.draw_preview(gui); }}};
+                 dialog_columns(gui, columns,
+                                maker_.foot(gui, "Text", "The text becomes a new document", [this] { cancel(); }));
+               });
 }
 
 }  // namespace mes

@@ -172,22 +172,24 @@ void TraceDialog::draw_preview(const Gui& gui) {
 
 void TraceDialog::draw(const Gui& gui) {
   static constexpr std::array kButtons{"Trace into samples", "Lay underneath", "Cancel"};
-  large_dialog(gui, kTraceDialogId, is_open_, {kTraceDialogWidth, kTraceDialogHeight}, [&](ImVec2) {
-    begin_choices();
-    const DialogColumn columns[] = {{"settings", kChoices,
-                                     [&] {
-                                       ImGui::PushFont(gui.bold());
-                                       const std::string name = uses_->job.file().filename().string();
-                                       ImGui::TextUnformatted(elided(name, ImGui::GetContentRegionAvail().x).c_str());
-                                       ImGui::PopFont();
-                                       ImGui::Dummy({1, 2 * gui.unit()});
-                                       draw_choices(gui);
-                                       ImGui::Dummy({1, 2 * gui.unit()});
-                                       draw_facts(gui);
-                                     }},
-                                    {"preview", 0, [&] { draw_preview(gui); }}};
-    dialog_columns(gui, columns, {kButtons, [&](ButtonRows& buttons) { draw_buttons(gui, buttons); }});
-  });
+  large_dialog(gui, kTraceDialogId, is_open_, {kTraceDialogWidth, kTraceDialogHeight}, DialogKeys::controls,
+               [&](ImVec2) {
+                 begin_choices();
+                 const DialogColumn columns[] = {
+                     {"settings", kChoices,
+                      [&] {
+                        ImGui::PushFont(gui.bold());
+                        const std::string name = uses_->job.file().filename().string();
+                        ImGui::TextUnformatted(elided(name, ImGui::GetContentRegionAvail().x).c_str());
+                        ImGui::PopFont();
+                        ImGui::Dummy({1, 2 * gui.unit()});
+                        draw_choices(gui);
+                        ImGui::Dummy({1, 2 * gui.unit()});
+                        draw_facts(gui);
+                      }},
+                     {"preview", 0, [&] { draw_preview(gui); }}};
+                 dialog_columns(gui, columns, {kButtons, [&](ButtonRows& buttons) { draw_buttons(gui, buttons); }});
+               });
 }
 
 }  // namespace mes

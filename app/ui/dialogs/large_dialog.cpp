@@ -15,7 +15,8 @@ constexpr float kLowPreview = 220.0F;
 // Draws what scrolls, then the buttons below it.
 void above_foot(const Gui& gui, const DialogFoot& foot, const std::function<void()>& draw) {
   ButtonRows buttons(gui, foot.labels, ImGui::GetContentRegionAvail().x);
-  ImGui::BeginChild("choices", {0, -buttons.height()}, false, ImGuiWindowFlags_HorizontalScrollbar);
+  ImGui::BeginChild("choices", {0, -buttons.height()}, false,
+                    ImGuiWindowFlags_HorizontalScrollbar | ImGuiWindowFlags_NavFlattened);
   draw();
   ImGui::EndChild();
   foot.draw(buttons);
@@ -23,7 +24,7 @@ void above_foot(const Gui& gui, const DialogFoot& foot, const std::function<void
 
 }  // namespace
 
-void large_dialog(const Gui& gui, const char* id, bool is_open, ImVec2 size,
+void large_dialog(const Gui& gui, const char* id, bool is_open, ImVec2 size, DialogKeys keys,
                   const std::function<void(ImVec2)>& draw) {
   // Position and size would apply to whichever window comes next.
   if (!is_open && !ImGui::IsPopupOpen(id)) return;
@@ -35,7 +36,7 @@ void large_dialog(const Gui& gui, const char* id, bool is_open, ImVec2 size,
   ImGui::SetNextWindowSize(here);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {18 * unit, 14 * unit});
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {6 * unit, 6 * unit});
-  if (Gui::begin_dialog(id, is_open, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove)) {
+  if (Gui::begin_dialog(id, is_open, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove, keys)) {
     draw(here);
     ImGui::EndPopup();
   }
@@ -54,7 +55,8 @@ void dialog_columns(const Gui& gui, std::span<const DialogColumn> columns, const
         // The settings are as high as their contents.
         const bool is_settings = &column == &settings;
         if (!is_settings)
-          ImGui::BeginChild(column.id, {0, (&column == &columns.back() ? kLowPreview : kLowList) * unit});
+          ImGui::BeginChild(column.id, {0, (&column == &columns.back() ? kLowPreview : kLowList) * unit}, false,
+                            ImGuiWindowFlags_NavFlattened);
         column.draw();
         if (!is_settings) ImGui::EndChild();
         ImGui::Dummy({1, 4 * unit});
@@ -63,7 +65,7 @@ void dialog_columns(const Gui& gui, std::span<const DialogColumn> columns, const
     return;
   }
   for (const DialogColumn& column : columns) {
-    ImGui::BeginChild(column.id, {column.width * unit, 0});
+    ImGui::BeginChild(column.id, {column.width * unit, 0}, false, ImGuiWindowFlags_NavFlattened);
     if (&column == &settings)
       above_foot(gui, foot, column.draw);
     else

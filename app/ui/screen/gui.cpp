@@ -159,13 +159,14 @@ void Gui::follow_mouse() {
   if (at) io.MousePos = {static_cast<float>(at->x), static_cast<float>(at->y)};
 }
 
-// Arrow keys and Enter choose rows of menus and lists. Elsewhere they belong to the table of actions and to dialogs.
+// Arrow keys and Enter choose rows of menus and lists, and arrow keys go through the controls of some dialogs, where Enter
+// presses the default button. Elsewhere they belong to the table of actions.
 void Gui::let_keys_choose_rows() {
   ImGuiContext& context = *ImGui::GetCurrentContext();
   const ImGuiWindow* const top = context.OpenPopupStack.empty() ? nullptr : context.OpenPopupStack.back().Window;
   ImGuiIO& io = ImGui::GetIO();
   io.ConfigFlags &= ~ImGuiConfigFlags_NavEnableKeyboard;
-  if (top == nullptr || (top->Flags & ImGuiWindowFlags_Modal) != 0) return;
+  if (top == nullptr || (top->Flags & ImGuiWindowFlags_NoNavInputs) != 0) return;
   io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
   // Dear ImGui marks the first row unseen when a menu opens; then the first key would mark the second. A field that is
   // being edited is marked unseen too, and Tab goes on from it.
@@ -174,6 +175,7 @@ void Gui::let_keys_choose_rows() {
     context.NavInitResultId = 0;
     context.NavId = 0;
   }
+  if ((top->Flags & ImGuiWindowFlags_Modal) != 0) return;
   // Dear ImGui knows only the space bar for this.
   const auto is_down = [](ImGuiKey key) { return ImGui::IsKeyDown(ImGui::GetKeyIndex(key)); };
   if (is_down(ImGuiKey_Enter) || is_down(ImGuiKey_KeyPadEnter)) io.NavInputs[ImGuiNavInput_Activate] = 1.0F;
@@ -229,11 +231,13 @@ bool Gui::holds_control() const {
   return context.ActiveId != 0 && context.ActiveIdSource == ImGuiInputSource_Mouse && !wants_text();
 }
 
-bool Gui::begin_dialog(const char* id, bool open, ImGuiWindowFlags flags) {
+bool Gui::begin_dialog(const char* id, bool open, ImGuiWindowFlags flags, DialogKeys keys) {
   const bool was_open = ImGui::IsPopupOpen(id);
   if (!open && !was_open) return false;
   if (!was_open) ImGui::OpenPopup(id);
-  if (!ImGui::BeginPopupModal(id, nullptr, flags | ImGuiWindowFlags_NoSavedSettings)) return false;
+  flags |= ImGuiWindowFlags_NoSavedSettings;
+  if (keys == DialogKeys::own) flags |= ImGuiWindowFlags_NoNavInputs;
+  if (!ImGui::BeginPopupModal(id, nullptr, flags)) return false;
   if (open) return true;
   ImGui::CloseCurrentPopup();
   ImGui::EndPopup();

@@ -16,6 +16,12 @@ namespace mes {
 /// Guarantees: text has the resolution of the framebuffer at every content scale; fonts are rasterised again only
 /// when the scale changes, or letters of another size are requested. Dear ImGui measures lengths in screen
 /// coordinates; `unit()` of them are one logical pixel. Threads: the window's. One at a time.
+/// The meaning of arrow keys and the space bar in a dialog.
+enum class DialogKeys : std::uint8_t {
+  own,       ///< the dialog handles them itself
+  controls,  ///< arrows go from control to control, and the space bar presses the marked one
+};
+
 class Gui {
  public:
   Gui(GlfwWindow& window, std::filesystem::path assets);
@@ -64,7 +70,7 @@ class Gui {
   void leave_panels();
   /// For dialogs shown while a flag is set: opens the popup if `open`, and closes it if not. Returns true if the
   /// caller must fill it and then call ImGui::EndPopup().
-  static bool begin_dialog(const char* id, bool open, ImGuiWindowFlags flags);
+  static bool begin_dialog(const char* id, bool open, ImGuiWindowFlags flags, DialogKeys keys = DialogKeys::own);
 
  private:
   void load_fonts(double scale);

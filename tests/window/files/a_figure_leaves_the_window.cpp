@@ -46,6 +46,26 @@ TEST_CASE("a figure is exported beside its document, and Esc leaves without one"
   CHECK(output_of("pdfinfo '" + (folder / "house.pdf").string() + "'").find("Page size:") != std::string::npos);
 }
 
+TEST_CASE("arrow keys go through the controls of the dialog, and the space bar presses the marked one") {
+  DrivenProgram window;
+  window.folder.write("house.poff", kHouse);
+  window.start("house.poff");
+  Screenshot before = window.drawn();
+  // From the top of the preview down to the sizes, and on to the square.
+  for (const char* key : {"ctrl+e", "Down", "Down", "Down", "Right", "space"}) {
+    window.press(key);
+    REQUIRE(eventually([&] { return window.screen.shoot().differences(before, 10) > 20; }));
+    before = window.screen.settled();
+  }
+  window.press("Return");
+  static_cast<void>(window.other_than(before));
+  static_cast<void>(window.screen.settled());
+  window.press("Return");
+  REQUIRE(eventually([&] { return bytes_of(window.folder / "house.pdf").starts_with("%PDF-1.5"); }));
+  CHECK_THAT(output_of("pdfinfo '" + (window.folder / "house.pdf").string() + "'"),
+             Catch::Contains("238.11 x 238.11"));
+}
+
 TEST_CASE("the preview shows the page as large as on paper on request") {
   DrivenProgram window;
   window.folder.write("house.poff", kHouse);
