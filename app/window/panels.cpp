@@ -9,8 +9,6 @@
 #include "app/panels/bars/evolution_strip.h"
 #include "app/panels/on_canvas/empty_hint.h"
 #include "app/panels/on_canvas/empty_view_note.h"
-#include "app/panels/on_canvas/marks/canvas_legend.h"
-#include "app/panels/on_canvas/marks/canvas_marks.h"
 #include "app/panels/on_canvas/pane_headers.h"
 #include "app/panels/on_canvas/refusal_note.h"
 #include "app/window/palette_entries.h"
@@ -93,7 +91,8 @@ Panels::Panels(const Uses& uses)
                           }}),
       column_(uses.screen.gui, uses.actions, uses.settings, pages()),
       step_events_({uses.work.evolution(), uses.work.editor(), uses.work.layers(), uses.work.computation(),
-                    uses.work.insight().persistence, uses.work.insight().scale_events}) {
+                    uses.work.insight().persistence, uses.work.insight().scale_events}),
+      marks_({uses.screen, uses.work, uses.board, uses.settings, uses.messages}) {
   layers_panel_.set_select(
       [&board = uses.board](LayerIndex layer, double low, double high) { board.select_values(layer, low, high); });
   layers_panel_.set_export([&flow = uses.documents](LayerIndex layer, const LayerTextFormat& format) {
@@ -309,10 +308,7 @@ HiddenAdditionsNote Panels::hidden_additions_note() const {
 
 std::size_t Panels::hidden_by(const Box2& box) const {
   constexpr std::size_t kMark = 64;  // a legend or a scale bar counts as much as an area full of samples
-  const auto lies_on = [&](const Box2& mark) {
-    return mark.low.x < box.high.x && box.low.x < mark.high.x && mark.low.y < box.high.y && box.low.y < mark.high.y;
-  };
-  return uses_.board.hidden_by(box) + (std::ranges::any_of(marks_, lies_on) ? kMark : 0U);
+  return uses_.board.hidden_by(box) + (marks_.are_hidden_by(box) ? kMark : 0U);
 }
 
 NoteRoom Panels::note_room(const Sides& sides) const {
@@ -399,10 +395,8 @@ Panels::Room Panels::draw() {
   draw_over(sides);
   divide(sides);
   draw_annotation_card(sides);
-  const MarksPlace marks = draw_scale_marks(sides);
-  const std::optional<Box2> legend = draw_legend(sides, marks);
-  mark_drag_.end_frame();
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  marks_.draw({sides.left, sides.top}, {screen.x - sides.right, screen.y - sides.bottom});
   const float width = screen.x - sides.left - sides.right;
   const ImVec2 middle(sides.left + 0.5F * width, sides.top + 0.5F * (screen.y - sides.top - sides.bottom));
   const Gui& gui = uses_.screen.gui;
@@ -413,36 +407,18 @@ Panels::Room Panels::draw() {
   if (are_shown_)
     column_.draw_large(
         {{around.left, around.top}, {screen.x - around.left - around.right, screen.y - around.top - around.bottom}});
-  const auto on_screen = [&](const Box2& box) {
-    const Vec2 origin{sides.left, sides.top};
-    const double scale = gui.unit();
-    return Box2{origin + scale * box.low, origin + scale * box.high};
-  };
-  const auto place_in_room = [&](const Box2& box) {
-    constexpr double kReach = 0.5;
-    return place_of(box.low, box.high - box.low, marks.room, kReach);
-  };
-  mark_places_ = {legend ? std::optional(place_in_room(*legend)) : std::nullopt,
-                  marks.bar ? std::optional(place_in_room(*marks.bar)) : std::nullopt};
-  marks_.clear();
-  if (legend) marks_.push_back(on_screen(*legend));
-  if (marks.bar) marks_.push_back(on_screen(*marks.bar));
   const NoteRoom room = note_room(sides);
   presenter_.draw(gui, presenter_.shows_slide() ? slide() : std::string(), room, ImGui::GetTime());
   draw_messages(sides, width, room);
   uses_.work.insight().end_frame();
   const double ratio = uses_.screen.window->pixel_ratio();
   const auto in_pixels = [ratio](float length) { return static_cast<double>(length) * ratio; };
-  // With its margin: the drawing avoids a legend in its corner.
-  const auto legend_size = [&](const Box2& box) {
-    return ratio * gui.unit() * (box.high - box.low + Vec2{kUsualMarginPx, kUsualMarginPx});
-  };
   // In a narrow window panels lie over the drawing, which would be a dot beside them.
   constexpr float kNarrow = 160.0F;
   if (are_shown_ && screen.x - around.left - around.right < kNarrow * gui.unit())
     sides.right -= column_.panels_width();
   return {{in_pixels(sides.left), in_pixels(sides.top), in_pixels(sides.right), in_pixels(sides.bottom)},
-          legend && !uses_.settings.legend_at ? legend_size(*legend) : Vec2{}};
+          marks_.legend_in_corner()};
 }
 
 void Panels::draw_lesson(Sides& sides) {
@@ -553,63 +529,6 @@ void Panels::draw_annotation_card(const Sides& sides) {
   annotation_card_.draw(uses_.screen.gui, annotations,
                         {static_cast<float>(px.x) * unit, static_cast<float>(px.y) * unit}, room,
                         [this](const Error& error) { uses_.messages.problem(error.message()); });
-}
-
-// Measures how much of the drawing lies below a box, in logical pixels from `origin`.
-std::function<std::size_t(const Box2&)> Panels::drawing_below(ImVec2 origin) const {
-  return [this, at = Vec2{origin.x, origin.y}](const Box2& box) {
-    const double unit = uses_.screen.gui.unit();
-    return uses_.board.hidden_by({at + unit * box.low, at + unit * box.high});
-  };
-}
-
-// Draws the scale marks; returns the room left for the legend, in logical pixels.
-MarksPlace Panels::draw_scale_marks(const Sides& sides) {
-  const Gui& gui = uses_.screen.gui;
-  const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  const ImVec2 low(sides.left, sides.top);
-  const ImVec2 high(screen.x - sides.right, screen.y - sides.bottom);
-  const double ratio = uses_.screen.window->pixel_ratio();
-  const std::string unit = unit_of_lengths(uses_.work.document());
-  const MarksPlace marks = CanvasMarks{gui, uses_.board.picture(), {uses_.board.view().camera()}, unit}.draw(
-      uses_.settings.marks, low, high, ratio, drawing_below(low));
-  // If all panes have the same scale, one bar is enough.
-  const Canvas& canvas = uses_.board.canvas();
-  for (std::size_t i = 1; i < canvas.panes().places().size(); ++i) {
-    ScaleMarks beside = uses_.settings.marks;
-    beside.bar = beside.bar && canvas.views().is_own(i);
-    const Vec2 shift = canvas.panes().shift(i);
-    const ImVec2 on_screen(static_cast<float>(shift.x / ratio), static_cast<float>(shift.y / ratio));
-    CanvasMarks{gui, uses_.board.picture(), {canvas.views().of(i).camera(), on_screen}, unit}.draw(
-        beside, low, high, ratio, drawing_below({low.x + on_screen.x, low.y + on_screen.y}));
-  }
-  if (marks.bar && mark_drag_.follow(gui,
-                                     {"##scale-bar-handle", "Drag to move the scale bar; double click to put it back",
-                                      low, *marks.bar, marks.room},
-                                     uses_.settings.marks.bar_at))
-    uses_.screen.clock.want(2);
-  return marks;
-}
-
-// Returns the box of the legend in logical pixels of the room.
-std::optional<Box2> Panels::draw_legend(const Sides& sides, const MarksPlace& marks) {
-  if (marks.room.is_empty()) return {};
-  const Gui& gui = uses_.screen.gui;
-  std::optional<PaperPlace>& place = uses_.settings.legend_at;
-  const ImVec2 low(sides.left, sides.top);
-  const auto [box, lacks_room] =
-      CanvasLegend{gui, uses_.board.picture(), uses_.work.layers(),
-                   legend_scope(uses_.settings.show_legend, uses_.settings.show_key), drawing_below(low)}
-          .draw(place, low, marks);
-  if (lacks_room && !lacks_legend_)
-    uses_.messages.notice("The legend has no room: enlarge the window or show fewer layers.");
-  lacks_legend_ = lacks_room;
-  if (!box) return {};
-  if (mark_drag_.follow(
-          gui, {"##legend-handle", "Drag to move the legend; double click to put it back", low, *box, marks.room},
-          place))
-    uses_.screen.clock.want(2);
-  return box;
 }
 
 }  // namespace mes

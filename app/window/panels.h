@@ -16,7 +16,6 @@
 #include "app/panels/layers/layers_panel.h"
 #include "app/panels/on_canvas/cards/annotation_card.h"
 #include "app/panels/on_canvas/hidden_additions_note.h"
-#include "app/panels/on_canvas/marks/mark_drag.h"
 #include "app/panels/on_canvas/presenter.h"
 #include "app/panels/on_canvas/problem_note.h"
 #include "app/panels/pages/branches_panel.h"
@@ -29,11 +28,11 @@
 #include "app/panels/pages/sampling_panel.h"
 #include "app/panels/pages/selection_panel.h"
 #include "app/panels/pages/statistics_panel.h"
-#include "app/picture/paper/scale_drawing.h"
 #include "app/playing/step_events.h"
 #include "app/window/files/document_flow.h"
 #include "app/window/runs/experiment_run.h"
 #include "app/window/runs/live_recording.h"
+#include "app/window/window_marks.h"
 
 namespace mes {
 
@@ -74,9 +73,9 @@ class Panels {
   /// Ends at once all that would fade over the canvas.
   void end_what_fades();
   /// The legend or the scale bar, while it is dragged.
-  MarkDrag& mark_drag() { return mark_drag_; }
+  MarkDrag& mark_drag() { return marks_.drag(); }
   /// Where the legend and the scale bar were drawn in this frame.
-  const MarkPlaces& mark_places() const { return mark_places_; }
+  const MarkPlaces& mark_places() const { return marks_.places(); }
   /// Entries for everything that has a name now.
   std::vector<PaletteEntry> palette_entries();
   /// True if the panels around the canvas are shown, and not only those on it.
@@ -115,9 +114,6 @@ class Panels {
   void toggle(PanelPage page);
   void draw_over(Sides& sides);
   void draw_annotation_card(const Sides& sides);
-  MarksPlace draw_scale_marks(const Sides& sides);
-  std::optional<Box2> draw_legend(const Sides& sides, const MarksPlace& marks);
-  std::function<std::size_t(const Box2&)> drawing_below(ImVec2 origin) const;
   HiddenAdditionsNote hidden_additions_note() const;
   /// How much of the drawing, the legend and the scale bar a box on the screen would hide.
   std::size_t hidden_by(const Box2& box) const;
@@ -151,13 +147,10 @@ class Panels {
   bool were_shown_ = true;  // state before the presentation
   bool was_full_screen_ = false;
   bool presents_lesson_ = false;
-  bool lacks_legend_ = false;  // the legend has no room, which a message has said
   AnnotationCard annotation_card_;
   Presenter presenter_;
   ProblemNote problem_note_;
-  MarkDrag mark_drag_;
-  MarkPlaces mark_places_;
-  std::vector<Box2> marks_;  // the boxes of legend and scale bar on the screen, when they were last drawn
+  WindowMarks marks_;
 };
 
 }  // namespace mes
