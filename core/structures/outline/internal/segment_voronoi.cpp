@@ -387,36 +387,49 @@ class InnerVoronoi {
       return size > 0.0 ? (1.0 / size) * (p - at) : Vec2{};
     }
   };
-  Near near_of(OutlineFeatureSlot slot) const {
+  Near near_of(OutlineFeatureSlot slot, Vec2 origin) const {
     const OutlineFeature& feature = out_.features[slot];
-    if (feature.is_point()) return {feature.from, {}};
+    const Vec2 from = feature.from - origin;
+    if (feature.is_point()) return {from, {}};
+    const Vec2 to = feature.to - origin;
     const Vec2 along = feature.to - feature.from;
-    return {feature.from, (1.0 / length(along)) * perpendicular(along)};
+    return {dot(from, from) < dot(to, to) ? from : to, (1.0 / length(along)) * perpendicular(along)};
   }
 
-  /// `around` are the features of the face.
+  /// `around` are the features of the face. Positions count from one of them: far from the origin of the plane, as on a
+  /// map, the coordinates of a thin shape are rounded to a large part of its width.
   OutlineNode node_at(Face f, const Triple& around) const {
     if (const OutlineFeatureSlot p = meeting_point(f); p != kNoSlot) return {out_.features[p].from, 0.0};
-    const std::array<Near, 3> near{near_of(around[0]), near_of(around[1]), near_of(around[2])};
-    const auto start =
-        Traits::Construct_svd_vertex_2()(site_of<Traits, Doubles>(around[0]), site_of<Traits, Doubles>(around[1]),
-                                         site_of<Traits, Doubles>(around[2]));
-    const Vec2 at = vec_of(start);
+    const Vec2 origin = out_.features[around[0]].from;
+    const OutlineNode node = node_from(origin, around);
+    return {origin + node.center, node.radius};
+  }
+  OutlineNode node_from(Vec2 origin, const Triple& around) const {
+    const std::array<Near, 3> near{near_of(around[0], origin), near_of(around[1], origin),
+                                   near_of(around[2], origin)};
+    const auto site = [&](OutlineFeatureSlot slot) {
+      const OutlineFeature& feature = out_.features[slot];
+      return site_between<Traits, Doubles>(feature.from - origin, feature.to - origin);
+    };
+    const Vec2 at = vec_of(Traits::Construct_svd_vertex_2()(site(around[0]), site(around[1]), site(around[2])));
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t k = 1; k < 3; ++k) {
         const std::size_t j = (i + k) % 3;
         if (!out_.features[around[i]].is_point() || !touch(around[i], around[j])) continue;
-        if (const auto foot = above_end(near[i].at, near[j], near[3 - i - j], at)) return *foot;
+        if (const auto foot = above_end(near, i, j, at)) return *foot;
       }
     if (const auto polished = polish(near, at)) return *polished;
-    return exact_node(around, near);
+    return exact_node(origin, around, near);
   }
 
   /// The node of a point, a side that ends there, and a third feature: on the normal through the point, on the side of
   /// `about`.
-  static std::optional<OutlineNode> above_end(Vec2 p, const Near& side, const Near& third, Vec2 about) {
+  static std::optional<OutlineNode> above_end(const std::array<Near, 3>& near, std::size_t point, std::size_t side,
+                                              Vec2 about) {
     if (!is_finite(about)) return std::nullopt;
-    const Vec2 up = dot(side.normal, about - p) < 0.0 ? -side.normal : side.normal;
+    const Vec2 p = near[point].at;
+    const Near& third = near[3 - point - side];
+    const Vec2 up = dot(near[side].normal, about - p) < 0.0 ? -near[side].normal : near[side].normal;
     double height = 0.0;
     if (third.is_line()) {
       const Vec2 m = third.gradient(p);
@@ -427,16 +440,20 @@ class InnerVoronoi {
     }
     const OutlineNode node{p + height * up, height};
     const double error = std::abs(third.distance(node.center) - height);
-    if (!(height > 0.0) || !(error <= tolerance(node.center, height))) return std::nullopt;
+    if (!(height > 0.0) || !(error <= tolerance(near, node.center, height))) return std::nullopt;
     return node;
   }
 
-  /// Rounding of distances of this size at these coordinates.
-  static double tolerance(Vec2 at, double radius) {
-    return 64.0 * kEpsilon * (std::abs(at.x) + std::abs(at.y) + radius + 1.0);
+  /// Rounding of the distances of three features from a place near a circle of this radius that touches them.
+  static double tolerance(const std::array<Near, 3>& near, Vec2 at, double radius) {
+    double reach = radius;
+    for (const Vec2 p : {at, near[0].at, near[1].at, near[2].at})
+      reach = std::max(reach, std::abs(p.x) + std::abs(p.y));
+    return 64.0 * kEpsilon * reach;
   }
 
-  /// Newton's method for the point at one distance from the three.
+  /// Newton's method for the point at one distance from the three, which lie around it counter-clockwise. Lines have
+  /// other points at one distance from all, around which their order is another one.
   static std::optional<OutlineNode> polish(const std::array<Near, 3>& near, Vec2 at) {
     constexpr int kSteps = 4;
     for (int step = 0; is_finite(at); ++step) {
@@ -445,32 +462,35 @@ class InnerVoronoi {
       const Vec2 second = near[2].gradient(at) - near[0].gradient(at);
       const double area = cross(first, second);
       constexpr double kFlat = 1e-6;  // flatter than this, rounding moves the point too far
-      if (!(std::abs(area) > kFlat * length(first) * length(second))) return std::nullopt;
+      if (!(area > kFlat * length(first) * length(second))) return std::nullopt;
       const Vec2 by = {((d[0] - d[1]) * second.y - (d[0] - d[2]) * first.y) / area,
                        ((d[0] - d[2]) * first.x - (d[0] - d[1]) * second.x) / area};
       const double radius = (d[0] + d[1] + d[2]) / 3.0;
-      if (length(by) <= tolerance(at, radius)) return OutlineNode{at + by, radius};
+      if (length(by) <= tolerance(near, at, radius)) return OutlineNode{at + by, radius};
       if (step == kSteps) return std::nullopt;
       at = at + by;
     }
     return std::nullopt;
   }
 
+  /// A segment, or a point if both ends are the same.
   template <class SiteTraits, class Kernel>
-  typename SiteTraits::Site_2 site_of(OutlineFeatureSlot slot) const {
-    const OutlineFeature& feature = out_.features[slot];
+  static typename SiteTraits::Site_2 site_between(Vec2 from, Vec2 to) {
     using Number = typename Kernel::FT;
     const auto point = [](Vec2 p) { return typename Kernel::Point_2(Number(p.x), Number(p.y)); };
-    return feature.is_point() ? SiteTraits::Site_2::construct_site_2(point(feature.from))
-                              : SiteTraits::Site_2::construct_site_2(point(feature.from), point(feature.to));
+    return from == to ? SiteTraits::Site_2::construct_site_2(point(from))
+                      : SiteTraits::Site_2::construct_site_2(point(from), point(to));
   }
 
   /// For positions that doubles do not find.
-  OutlineNode exact_node(const Triple& around, const std::array<Near, 3>& near) const {
-    const auto at = ExactTraits::Construct_svd_vertex_2()(site_of<ExactTraits, Roots>(around[0]),
-                                                          site_of<ExactTraits, Roots>(around[1]),
-                                                          site_of<ExactTraits, Roots>(around[2]));
-    const Vec2 rounded{CGAL::to_double(at.x()), CGAL::to_double(at.y())};
+  OutlineNode exact_node(Vec2 origin, const Triple& around, const std::array<Near, 3>& near) const {
+    const auto site = [&](OutlineFeatureSlot slot) {
+      const OutlineFeature& feature = out_.features[slot];
+      return site_between<ExactTraits, Roots>(feature.from, feature.to);
+    };
+    const auto at = ExactTraits::Construct_svd_vertex_2()(site(around[0]), site(around[1]), site(around[2]));
+    const Vec2 rounded{CGAL::to_double(at.x() - CORE::Expr(origin.x)),
+                       CGAL::to_double(at.y() - CORE::Expr(origin.y))};
     return {rounded, (near[0].distance(rounded) + near[1].distance(rounded) + near[2].distance(rounded)) / 3.0};
   }
 

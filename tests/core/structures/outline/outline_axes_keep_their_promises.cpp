@@ -20,10 +20,10 @@
 #include "core/draw/primitive_values.h"
 #include "core/graph/size_refusal.h"
 #include "core/structures/outline/axis_deviation.h"
-#include "core/structures/outline/internal/outline_parts.h"
 #include "core/structures/outline/internal/segment_voronoi.h"
 #include "core/structures/outline/outline_axis.h"
 #include "core/structures/outline/outline_sides.h"
+#include "tests/core/structures/outline/outline_bench.h"
 #include "tests/support/parcels.h"
 #include "tests/support/workbench.h"
 
@@ -32,76 +32,9 @@ using namespace mes::test;
 
 namespace {
 
-using Ring = std::vector<Vec2>;
-
-SampleData data_of_rings(const std::vector<Ring>& rings) {
-  SampleData data;
-  for (const Ring& ring : rings) {
-    SampleData::Contour& contour = data.contours.emplace_back();
-    contour.points.resize(ring.size());
-    std::iota(contour.points.begin(), contour.points.end(), static_cast<std::uint32_t>(data.positions.size()));
-    data.positions.insert(data.positions.end(), ring.begin(), ring.end());
-  }
-  return data;
-}
-
-SampleData data_of_curves(const std::vector<PlaneCurve>& curves) {
-  SampleData data;
-  auto set = std::make_shared<CurveSet>();
-  set->curves = curves;
-  data.source = std::make_shared<const CurveSource>(CurveSource{.curves = set});
-  data.positions = {{0.0, 0.0}};  // the samples do not matter
-  return data;
-}
-
-struct AxisBench : TestBench {
-  explicit AxisBench(const SampleData& data) {
-    show({"outline-axis"});
-    load(data);
-  }
-  const OutlineAxis& axis() const { return get<OutlineAxis>(); }
-  double length() const {
-    double out = 0.0;
-    for (const OutlinePiece& piece : axis().pieces()) out += distance(piece.from, piece.to);
-    return out;
-  }
-  /// Whether there is a node at the point, with this radius.
-  bool has_node(Vec2 at, double radius) const {
-    return std::ranges::any_of(axis().graph().nodes, [&](const OutlineNode& node) {
-      return distance(node.center, at) < 1e-9 && std::abs(node.radius - radius) < 1e-9;
-    });
-  }
-};
-
-/// A piece without direction, for comparison.
-using PlainPiece = std::array<double, 6>;
-std::vector<PlainPiece> pieces_of(const OutlineAxis& axis, double unit) {
-  std::vector<PlainPiece> out;
-  for (const OutlinePiece& piece : axis.pieces()) {
-    const PlainPiece there{unit * piece.from.x, unit * piece.from.y, unit * piece.radius_from,
-                           unit * piece.to.x,   unit * piece.to.y,   unit * piece.radius_to};
-    const PlainPiece back{there[3], there[4], there[5], there[0], there[1], there[2]};
-    out.push_back(std::min(there, back));
-  }
-  std::ranges::sort(out);
-  return out;
-}
-
 double distance_to_side(Vec2 p, Vec2 a, Vec2 b) {
   const Vec2 d = b - a;
   return distance(p, a + std::clamp(dot(p - a, d) / dot(d, d), 0.0, 1.0) * d);
-}
-
-/// A polygon around the origin with vertices on integers, whose radii lie between `low` and `high`.
-Ring star_polygon(Rng& rng, std::size_t count, double low, double high) {
-  Ring out;
-  for (std::size_t i = 0; i < count; ++i) {
-    const double angle =
-        2.0 * std::numbers::pi * (static_cast<double>(i) + rng.uniform(0.1, 0.9)) / static_cast<double>(count);
-    const double radius = rng.uniform(low, high);
-    out.push_back({std::round(radius * std::cos(angle)), std::round(radius * std::sin(angle))});
-  }
-  return out;
 }
 
 std::vector<Ring> polygon_with_hole(Rng& rng) {
@@ -522,126 +455,6 @@ TEST_CASE("the axis follows vertices that are moved, and stays where samples of 
   bench.undo();
   bench.undo();
   CHECK(has({1, 1}));
-}
-
-namespace {
-
-/// A town: polygons in a grid of 4 x 4 cells. Some have courtyards with polygons in them, some have a neighbour with a
-/// common side or a common corner, or an open line in them, and some cross the next one.
-std::vector<Ring> town(Rng& rng, std::vector<Ring>& open) {
-  constexpr double kCell = 4096.0;
-  std::vector<Ring> out;
-  const auto moved = [](Ring ring, Vec2 by) {
-    for (Vec2& p : ring) p = p + by;
-    return ring;
-  };
-  for (int i = 0; i < 16; ++i) {
-    const Vec2 middle{kCell * (i % 4), kCell * (i / 4)};
-    const std::size_t kind = rng.below(6);
-    const Ring& house = out.emplace_back(moved(star_polygon(rng, 5 + rng.below(9), 900.0, 1500.0), middle));
-    const Vec2 a = house[0];
-    const Vec2 b = house[1];
-    if (kind == 0) out.push_back({b, a, a + 0.25 * (a - middle)});
-    if (kind == 1) out.push_back({a, a + Vec2{200, 50}, a + Vec2{150, 250}});
-    if (kind == 2) open.push_back({middle, middle + Vec2{100, 40}, middle + Vec2{60, 200}});
-    if (kind == 3) out.push_back(moved(star_polygon(rng, 9, 900.0, 1500.0), middle + Vec2{700, 0}));
-    if (kind < 4) continue;
-    out.push_back(moved(star_polygon(rng, 8, 300.0, 400.0), middle));
-    for (const double x : {-60.0, 60.0}) out.push_back(moved(star_polygon(rng, 5, 20.0, 50.0), middle + Vec2{x, 0}));
-  }
-  return out;
-}
-
-/// Edges as the positions of their features and nodes.
-using PlainEdge = std::array<double, 14>;
-std::vector<PlainEdge> edges_of(const OutlineGraph& graph) {
-  std::vector<PlainEdge> out;
-  for (const OutlineEdge& edge : graph.edges) {
-    PlainEdge& plain = out.emplace_back();
-    std::size_t k = 0;
-    const auto add = [&](Vec2 p) {
-      plain[k++] = p.x;
-      plain[k++] = p.y;
-    };
-    for (const OutlineFeatureSlot slot : edge.features)
-      for (const Vec2 p : {graph.features[slot].from, graph.features[slot].to}) add(p);
-    for (const OutlineNodeSlot slot : edge.nodes) {
-      add(graph.nodes[slot].center);
-      plain[k++] = graph.nodes[slot].radius;
-    }
-  }
-  std::ranges::sort(out);
-  return out;
-}
-
-}  // namespace
-
-TEST_CASE("the axes of the parts of a town are the axis of the town") {
-  Rng rng(11);
-  std::size_t parts = 0;
-  std::size_t regions = 0;
-  for (int round = 0; round < 40; ++round) {
-    INFO("round " << round);
-    std::vector<Ring> open;
-    const std::vector<Ring> closed = town(rng, open);
-    OutlineSides sides;
-    for (const auto& [rings, is_closed] : {std::pair{&closed, true}, {&open, false}})
-      for (const Ring& ring : *rings)
-        for (std::size_t i = 0; i + (is_closed ? 0 : 1) < ring.size(); ++i)
-          sides.add(ring[i], ring[(i + 1) % ring.size()], is_closed);
-    JobControl job;
-    const std::vector<OutlineSide> all = sides.take(job);
-    const OutlineGraph whole = inner_voronoi(all, job);
-    std::vector<PlainEdge> together;
-    std::uint32_t own_regions = 0;
-    std::size_t own_sides = 0;
-    for (const std::vector<OutlineSide>& part : independent_parts(all)) {
-      const OutlineGraph graph = inner_voronoi(part, job);
-      for (const PlainEdge& edge : edges_of(graph)) together.push_back(edge);
-      own_regions += graph.regions;
-      own_sides += part.size();
-      ++parts;
-    }
-    std::ranges::sort(together);
-    const std::vector<PlainEdge> wanted = edges_of(whole);
-    REQUIRE(together.size() == wanted.size());
-    CHECK(own_regions == whole.regions);
-    CHECK(own_sides == all.size());
-    regions += whole.regions;
-    for (std::size_t i = 0; i < wanted.size(); ++i)
-      for (std::size_t k = 0; k < wanted[i].size(); ++k)
-        REQUIRE(std::abs(together[i][k] - wanted[i][k]) <= (k < 8 ? 0.0 : 1e-6));
-  }
-  CHECK(parts > 40 * 16);
-  CHECK(regions > parts);
-}
-
-TEST_CASE("the axis of a town that is edited is that of the town as it is now, to the last bit") {
-  Rng rng(12);
-  std::vector<Ring> open;
-  TestBench bench;
-  bench.show({"outline-axis"});
-  bench.load(data_of_rings(town(rng, open)));
-  for (int round = 0; round < 60; ++round) {
-    INFO("round " << round);
-    const SampleId id = bench.ids()[rng.below(bench.ids().size())];
-    const Vec2 at = bench.document().position(bench.document().slot_of(id));
-    if (round % 6 == 5)
-      bench.undo();
-    else if (round % 6 == 4)
-      bench.remove({id});
-    else
-      bench.move(id, at + Vec2{std::round(rng.uniform(-300, 300)), std::round(rng.uniform(-300, 300))});
-    TestBench fresh;
-    fresh.show({"outline-axis"});
-    fresh.load(data_of(bench.document()));
-    const OutlineGraph& graph = bench.get<OutlineAxis>().graph();
-    const OutlineGraph& other = fresh.get<OutlineAxis>().graph();
-    REQUIRE(edges_of(graph) == edges_of(other));
-    CHECK(graph.regions == other.regions);
-    CHECK(graph.nodes.size() == other.nodes.size());
-    CHECK(pieces_of(bench.get<OutlineAxis>(), 1.0) == pieces_of(fresh.get<OutlineAxis>(), 1.0));
-  }
 }
 
 TEST_CASE("the deviation of the axis is the largest distance of its points, and falls with denser samples") {
