@@ -43,10 +43,9 @@ GeoParts geo_parts_of(const std::vector<LineArea>& areas, const MapConversion* c
   return out;
 }
 
-/// `to_attributes` converts the centre.
 void append_cell(std::string& out, const TextCell& cell, const CellColumns& columns, double area,
-                 const GeoParts& parts, const std::optional<MapConversion>& to_attributes) {
-  const Vec2 place = to_attributes ? to_attributes->from_plane(cell.place) : cell.place;
+                 const GeoParts& parts, const std::optional<MapConversion>& conversion) {
+  const Vec2 place = conversion ? conversion->from_plane(cell.place) : cell.place;
   out += R"({"type":"Feature",)";
   if (!cell.id.empty()) out += R"("id":)" + cell.id + ',';
   out += R"("properties":{)" + cell.properties;
@@ -73,21 +72,17 @@ Expected<CellText> cell_text(std::span<const TextCell> cells, const std::optiona
                              std::string_view format, const CellColumns& columns) {
   const bool is_json = format != "wkt";
   const bool is_by_gdal = format == "gpkg" || format == "fgb";
+  const MapTarget target = is_json && !is_by_gdal ? MapTarget::wgs84 : MapTarget::own_system;
   std::optional<MapConversion> conversion;
-  std::optional<MapConversion> to_attributes;
   if (map && is_on_earth(*map)) {
-    auto made = MapConversion::of(*map, is_json ? MapTarget::wgs84 : MapTarget::own_system);
+    auto made = MapConversion::of(*map, target);
     if (!made) return std::unexpected(made.error());
     conversion = std::move(*made);
-    // GDAL converts positions to the system of the map, but not attributes.
-    auto own = MapConversion::of(*map, is_by_gdal ? MapTarget::own_system : MapTarget::wgs84);
-    if (!own) return std::unexpected(own.error());
-    to_attributes = std::move(*own);
   }
   const MapConversion* const converted = conversion ? &*conversion : nullptr;
   const std::string srid = srid_of(map);
   CellText out;
-  if (is_json) out.text = begin_of_features(converted != nullptr);
+  if (is_json) out.text = begin_of_features(map, target);
   bool is_first = true;
   for (const TextCell& cell : cells) {
     const std::vector<LineArea> areas = areas_of(cell);
@@ -98,7 +93,7 @@ Expected<CellText> cell_text(std::span<const TextCell> cells, const std::optiona
       out.text += is_first ? "\n" : ",\n";
       double area = 0.0;
       for (const LineArea& part : areas) area += area_of(part);
-      append_cell(out.text, cell, columns, area, parts, to_attributes);
+      append_cell(out.text, cell, columns, area, parts, conversion);
       is_first = false;
     } else {
       append_wkt(out.text, StraightKind::polygon, parts, srid);
@@ -106,7 +101,7 @@ Expected<CellText> cell_text(std::span<const TextCell> cells, const std::optiona
   }
   if (is_json) out.text += kEndOfFeatures;
   if (is_by_gdal) {
-    auto file = map_file_of(out.text, format == "gpkg" ? kGeoPackage : kFlatGeobuf, map);
+    auto file = map_file_of(out.text, format == "gpkg" ? kGeoPackage : kFlatGeobuf, map, target);
     if (!file) return std::unexpected(file.error());
     out.text = *std::move(file);
   }

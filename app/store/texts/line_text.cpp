@@ -55,9 +55,10 @@ class LineConversions {
   std::optional<MapConversion> conversion_{};
 };
 
-Expected<LineText> lines_as_geojson(std::span<const TextLine> lines) {
-  LineConversions conversions(MapTarget::wgs84);
-  LineText out{begin_of_features(std::ranges::any_of(lines, is_of_map))};
+Expected<LineText> features_of_lines(std::span<const TextLine> lines, MapTarget target) {
+  LineConversions conversions(target);
+  const auto of_map = std::ranges::find_if(lines, is_of_map);
+  LineText out{begin_of_features(of_map == lines.end() ? std::nullopt : of_map->map, target)};
   bool is_first = true;
   for (const TextLine& line : lines) {
     const auto parts = conversions.parts_of(line);
@@ -87,6 +88,10 @@ Expected<LineText> lines_as_geojson(std::span<const TextLine> lines) {
   }
   out.text += kEndOfFeatures;
   return out;
+}
+
+Expected<LineText> lines_as_geojson(std::span<const TextLine> lines) {
+  return features_of_lines(lines, MapTarget::wgs84);
 }
 
 Expected<LineText> lines_as_wkt(std::span<const TextLine> lines) {
@@ -188,9 +193,15 @@ Expected<LineText> lines_as_dxf(std::span<const TextLine> lines) {
 
 template <const char* const& kDriver>
 Expected<LineText> lines_by_gdal(std::span<const TextLine> lines) {
-  auto out = lines_as_geojson(lines);
+  const std::optional<MapPlane> map = lines.empty() ? std::nullopt : lines.front().map;
+  const bool is_one_system = std::ranges::all_of(lines, [&](const TextLine& line) {
+    return is_of_map(line) == is_of_map(lines.front()) && (!line.map || line.map->system == map->system);
+  });
+  // From WGS 84 GDAL would come back by an operation of its own choice, a metre beside in North America.
+  const MapTarget target = is_one_system ? MapTarget::own_system : MapTarget::wgs84;
+  auto out = features_of_lines(lines, target);
   if (!out) return out;
-  auto file = map_file_of(out->text, kDriver, lines.empty() ? std::nullopt : lines.front().map);
+  auto file = map_file_of(out->text, kDriver, map, target);
   if (!file) return std::unexpected(file.error());
   out->text = *std::move(file);
   return out;

@@ -195,7 +195,7 @@ Expected<std::string> geojson_by_gdal(std::string_view bytes, const std::string&
 }
 
 Expected<std::string> map_by_gdal(std::string_view geojson, const std::string& driver,
-                                  const std::optional<std::string>& system) {
+                                  const std::optional<GdalSystem>& system) {
   const auto library = gdal_library();
   if (!library) return std::unexpected(library.error());
   const GdalLibrary& gdal = **library;
@@ -211,8 +211,8 @@ Expected<std::string> map_by_gdal(std::string_view geojson, const std::string& d
   }
   if (!system)
     arguments.insert(arguments.end(), {"-a_srs", kPlane});
-  else if (!system->empty())
-    arguments.insert(arguments.end(), {"-t_srs", *system});
+  else if (!system->name.empty())
+    arguments.insert(arguments.end(), {system->is_of_text ? "-a_srs" : "-t_srs", system->name});
   gdal.set_thread_option("OGR_CURRENT_DATE", "1970-01-01T00:00:00Z");
   constexpr std::array<const char*, 2> kDrivers{"GeoJSON", nullptr};
   const GdalSet set = open_with(gdal, text.name(), kDrivers);

@@ -26,12 +26,17 @@ Expected<std::string> geojson_by_gdal(std::string_view bytes, const std::string&
 /// Whether the file begins as those that `geojson_by_gdal` reads.
 bool is_for_gdal(std::string_view bytes);
 
-/// A file with the features of a GeoJSON text of this program. `driver` is that of GDAL: "GPKG" or "FlatGeobuf".
-/// `system` is the coordinate system of the file, an authority and its code or WKT; empty: longitude and latitude on
-/// WGS 84, as in the text; nothing: the text is of a plane. Properties are columns, whatever their names, and a GeoPackage
-/// has its own numbers of rows. Equal texts give equal bytes: the time of writing is not in them. Error: `bad_input`, if
-/// GDAL is not installed; `cannot_write`, if it refuses the text.
+/// The coordinate system of a file that GDAL writes.
+struct GdalSystem {
+  std::string name{};       ///< an authority and its code, or WKT; empty: longitude and latitude on WGS 84
+  bool is_of_text = false;  ///< positions of the text are in it; otherwise GDAL converts them from WGS 84
+};
+
+/// A file with the features of a GeoJSON text of this program. `driver` is that of GDAL: "GPKG" or "FlatGeobuf". Without
+/// `system` the text is of a plane. Properties are columns, whatever their names, and a GeoPackage has its own numbers of
+/// rows. Equal texts give equal bytes: the time of writing is not in them. Error: `bad_input`, if GDAL is not installed;
+/// `cannot_write`, if it refuses the text.
 Expected<std::string> map_by_gdal(std::string_view geojson, const std::string& driver,
-                                  const std::optional<std::string>& system);
+                                  const std::optional<GdalSystem>& system);
 
 }  // namespace mes

@@ -177,6 +177,34 @@ TEST_CASE("layers of a map are written in its system") {
   CHECK(largest == Approx(4.0).epsilon(0.01));
 }
 
+TEST_CASE("a GeoPackage or a FlatGeobuf has the positions of its map, but for rounding") {
+  const TemporaryFolder folder;
+  // Long Island in feet, and the same datum in degrees: ways to WGS 84 and back differ there by a metre.
+  for (const std::string text :
+       {"SRID=2263;POLYGON ((1000000 200000, 1000600 200000, 1000600 200100, 1000000 200100, 1000000 200000))",
+        "SRID=4269;POLYGON ((-73.94 40.71, -73.937 40.71, -73.937 40.7105, -73.94 40.7105, -73.94 40.71))"}) {
+    const std::string file = folder.write("a.wkt", text).string();
+    for (const std::string format : {"gpkg", "fgb"}) {
+      INFO(text << " as " << format);
+      const std::string copy = (folder / ("line." + format)).string();
+      well_done({"centerline", file, "--exact", "--extend", "-o", copy, "--force"});
+      const auto positions = [&](const std::string& map) {
+        return positions_of_csv(
+            well_done({"export", map, "--vertices", "--degrees", "--layer", "points", "--format", "csv"}), 0);
+      };
+      const std::string wkt = (folder / "line.wkt").string();
+      well_done({"centerline", file, "--exact", "--extend", "-o", wkt, "--force"});
+      const auto there = positions(wkt);
+      const auto back = positions(copy);
+      REQUIRE(back.size() == there.size());
+      for (std::size_t i = 0; i < there.size(); ++i) {
+        CHECK(back[i].first == Approx(there[i].first).epsilon(1e-14));
+        CHECK(back[i].second == Approx(there[i].second).epsilon(1e-14));
+      }
+    }
+  }
+}
+
 TEST_CASE("positions in tables of structures are those of the map") {
   const TemporaryFolder folder;
   const std::string grid = folder.write("a.wkt", std::string("SRID=25832;") + kHouse).string();

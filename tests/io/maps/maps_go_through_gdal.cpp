@@ -17,7 +17,7 @@ const std::string kLine =
     R"({"type":"FeatureCollection","features":[{"type":"Feature","id":3,"properties":{"list":[1,2.5],"s":"é\"\\"},)"
     R"("geometry":{"type":"LineString","coordinates":[[8.1,50.25],[8.0000000000000018,50.1],[9.30000000000000071,51]]}}]})";
 
-std::string map_of(const std::string& driver, const std::optional<std::string>& system) {
+std::string map_of(const std::string& driver, const std::optional<GdalSystem>& system) {
   auto out = map_by_gdal(kLine, driver, system);
   if (!out) FAIL(out.error().message());
   return *out;
@@ -29,7 +29,7 @@ TEST_CASE("positions of a map in degrees or of a plane come back bit for bit") {
   for (const std::string driver : {"GPKG", "FlatGeobuf"}) {
     INFO(driver);
     for (const bool is_plane : {false, true}) {
-      const std::string file = map_of(driver, is_plane ? std::nullopt : std::optional<std::string>(""));
+      const std::string file = map_of(driver, is_plane ? std::nullopt : std::optional(GdalSystem{}));
       CHECK(is_for_gdal(file));
       ReadRequest request = kAtVertices;
       request.degrees = MapDegrees::kept;
@@ -50,7 +50,7 @@ TEST_CASE("a system without a code is named by its WKT") {
   const std::string own = "+proj=laea +lat_0=50 +lon_0=8 +ellps=intl +units=m";
   for (const std::string driver : {"GPKG", "FlatGeobuf"}) {
     INFO(driver);
-    const LoadedFile back = good(read_sample_bytes(map_of(driver, own), "a", {}, kAtVertices));
+    const LoadedFile back = good(read_sample_bytes(map_of(driver, GdalSystem{own}), "a", {}, kAtVertices));
     REQUIRE(back.data.map);
     CHECK(back.data.map->system.contains("Azimuthal"));
     REQUIRE(back.data.positions.size() == 3);
@@ -62,7 +62,7 @@ TEST_CASE("a system without a code is named by its WKT") {
 
 TEST_CASE("a map that is cut off is refused, or is a shorter map") {
   for (const std::string driver : {"GPKG", "FlatGeobuf"}) {
-    const std::string file = map_of(driver, "");
+    const std::string file = map_of(driver, GdalSystem{});
     for (std::size_t size = 0; size < file.size(); size += 1 + size / 16) {
       const auto read = read_sample_bytes(std::string_view(file).substr(0, size), "a", {}, kAtVertices);
       if (read) continue;
@@ -72,12 +72,12 @@ TEST_CASE("a map that is cut off is refused, or is a shorter map") {
     }
     CHECK_FALSE(is_for_gdal(std::string_view(file).substr(0, 6)));
   }
-  CHECK_FALSE(map_by_gdal("{}", "GPKG", ""));
+  CHECK_FALSE(map_by_gdal("{}", "GPKG", GdalSystem{}));
   CHECK_FALSE(geojson_by_gdal("nothing", "a", nullptr, nullptr));
 }
 
 TEST_CASE("reading a map is stopped") {
-  const std::string file = map_of("FlatGeobuf", "");
+  const std::string file = map_of("FlatGeobuf", GdalSystem{});
   JobControl job;
   job.stop_at_look(1);
   CHECK_THROWS_AS(geojson_by_gdal(file, "a", nullptr, &job), Cancelled);

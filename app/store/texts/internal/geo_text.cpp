@@ -37,6 +37,10 @@ std::string begin_of_features(bool are_in_degrees) {
   return out + R"("features":[)";
 }
 
+std::string begin_of_features(const std::optional<MapPlane>& map, MapTarget target) {
+  return begin_of_features(map && is_on_earth(*map) && (target == MapTarget::wgs84 || map->system.empty()));
+}
+
 void append_geojson(std::string& out, StraightKind kind, const GeoParts& parts) {
   out += parts.size() == 1 ? R"({"type":")" : R"({"type":"Multi)";
   switch (kind) {
@@ -130,9 +134,11 @@ std::string with_large_integers_as_text(std::string_view json) {
 
 }  // namespace
 
-Expected<std::string> map_file_of(std::string_view geojson, const char* driver, const std::optional<MapPlane>& map) {
-  return map_by_gdal(with_large_integers_as_text(geojson), driver,
-                     map && is_on_earth(*map) ? std::optional(map->system) : std::nullopt);
+Expected<std::string> map_file_of(std::string_view geojson, const char* driver, const std::optional<MapPlane>& map,
+                                  MapTarget target) {
+  std::optional<GdalSystem> system;
+  if (map && is_on_earth(*map)) system = {map->system, target == MapTarget::own_system};
+  return map_by_gdal(with_large_integers_as_text(geojson), driver, system);
 }
 
 }  // namespace mes

@@ -10,6 +10,7 @@
 #include "app/store/texts/internal/straight_shapes.h"
 #include "core/base/error.h"
 #include "core/document/map_plane.h"
+#include "core/io/systems/map_conversion.h"
 
 namespace mes {
 
@@ -21,8 +22,10 @@ struct GeoPart {
 using GeoParts = std::vector<GeoPart>;
 
 /// Begins and ends a collection of features. Readers that follow RFC 7946 ignore the name of the system of degrees;
-/// without it this program reads features as lying in the plane.
+/// without it this program reads features as lying in the plane. The second function is for positions on the map as
+/// `target` says, or in the plane without a map.
 std::string begin_of_features(bool are_in_degrees);
+std::string begin_of_features(const std::optional<MapPlane>& map, MapTarget target);
 inline constexpr std::string_view kEndOfFeatures = "\n]}\n";
 
 /// A measure as JSON, always with a decimal point or an exponent, since readers take the type of a column from its
@@ -37,8 +40,10 @@ std::string srid_of(const std::optional<MapPlane>& map);
 /// Names of the drivers of GDAL.
 inline constexpr const char* kGeoPackage = "GPKG";
 inline constexpr const char* kFlatGeobuf = "FlatGeobuf";
-/// The features of GeoJSON in a file by a driver, in the coordinate system of the map. Error: as for `map_by_gdal`
-/// (core/io/maps/gdal.h). Whole numbers beyond 64 bits, which GDAL would clamp, become strings.
-Expected<std::string> map_file_of(std::string_view geojson, const char* driver, const std::optional<MapPlane>& map);
+/// The features of GeoJSON, with positions as `target` says, in a file by a driver, in the coordinate system of the map.
+/// Error: as for `map_by_gdal` (core/io/maps/gdal.h). Whole numbers beyond 64 bits, which GDAL would clamp, become
+/// strings.
+Expected<std::string> map_file_of(std::string_view geojson, const char* driver, const std::optional<MapPlane>& map,
+                                  MapTarget target);
 
 }  // namespace mes

@@ -36,16 +36,15 @@ void for_each_shape(const LayerGeometry& geometry, const std::optional<MapConver
   }
 }
 
-/// `to_attributes` converts the centre of a circle.
 void append_feature(std::string& out, std::string_view layer, const StraightShape& shape, const GeoParts& parts,
-                    const std::optional<MapConversion>& to_attributes) {
+                    const std::optional<MapConversion>& conversion) {
   out += R"({"type":"Feature","properties":{"layer":")";
   out += layer;
   out += R"(","kind":")";
   out += name_of(shape.of);
   out += '"';
   if (shape.circle) {
-    const Vec2 center = to_attributes ? to_attributes->from_plane(shape.circle->center) : shape.circle->center;
+    const Vec2 center = conversion ? conversion->from_plane(shape.circle->center) : shape.circle->center;
     out += R"(,"center":[)";
     append_number(out, center.x);
     out += ',';
@@ -70,20 +69,16 @@ void append_feature(std::string& out, std::string_view layer, const StraightShap
   out += '}';
 }
 
-/// `attributes` is the system of positions in attributes.
-Expected<LayerText> features_of(const LayerGeometry& geometry, ShapesOf shapes_of,
-                                MapTarget attributes = MapTarget::wgs84) {
-  const auto conversion = conversion_for(geometry, MapTarget::wgs84);
+Expected<LayerText> features_of(const LayerGeometry& geometry, ShapesOf shapes_of, MapTarget target) {
+  const auto conversion = conversion_for(geometry, target);
   if (!conversion) return std::unexpected(conversion.error());
-  const auto to_attributes = conversion_for(geometry, attributes);
-  if (!to_attributes) return std::unexpected(to_attributes.error());
-  LayerText out{begin_of_features(conversion->has_value())};
+  LayerText out{begin_of_features(geometry.document.map(), target)};
   bool is_first = true;
   for_each_shape(geometry, *conversion, shapes_of, out,
                  [&](LayerIndex layer, const StraightShape& shape, const GeoParts& parts) {
                    out.text += is_first ? "\n" : ",\n";
                    is_first = false;
-                   append_feature(out.text, geometry.registry.layers()[layer].id, shape, parts, *to_attributes);
+                   append_feature(out.text, geometry.registry.layers()[layer].id, shape, parts, *conversion);
                  });
   out.text += kEndOfFeatures;
   return out;
@@ -112,17 +107,16 @@ Expected<std::optional<MapConversion>> conversion_for(const LayerGeometry& geome
 }
 
 Expected<LayerText> geojson_of(const LayerGeometry& geometry) {
-  return features_of(geometry, all_shapes_of);
+  return features_of(geometry, all_shapes_of, MapTarget::wgs84);
 }
 Expected<LayerText> geojson_areas_of(const LayerGeometry& geometry) {
-  return features_of(geometry, area_shapes_of);
+  return features_of(geometry, area_shapes_of, MapTarget::wgs84);
 }
 
-/// GDAL converts positions to the system of the map, but not attributes.
 Expected<LayerText> by_gdal(const LayerGeometry& geometry, ShapesOf shapes_of, const char* driver) {
   auto features = features_of(geometry, shapes_of, MapTarget::own_system);
   if (!features) return features;
-  auto file = map_file_of(features->text, driver, geometry.document.map());
+  auto file = map_file_of(features->text, driver, geometry.document.map(), MapTarget::own_system);
   if (!file) return std::unexpected(file.error());
   features->text = *std::move(file);
   return features;
