@@ -141,8 +141,7 @@ library_stb() {
 # What a browser has itself, or does without (web/core/glyphs/fonts.cpp).
 library_browser() {
   described epoxy 1.5 '-sMIN_WEBGL_VERSION=2 -sMAX_WEBGL_VERSION=2' && described egl 1.5 '' &&
-    described glfw3 3.3 -sUSE_GLFW=3 && described fontconfig 2.14 '' &&
-    sed -i "s|^Cflags:.*|Cflags: -I$here/../../web/include|" "$prefix/lib/pkgconfig/epoxy.pc"
+    described glfw3 3.3 -sUSE_GLFW=3 && described fontconfig 2.14 ''
 }
 library_pixman() {
   local source=$sources/pixman/pixman files
