@@ -91,6 +91,27 @@ TEST_CASE("the menu of empty paper, also by key, inserts a sample where it was o
   CHECK(more.positions.back().y < 5);
 }
 
+TEST_CASE("the menu of empty paper writes words where it was opened") {
+  const MenuWindow window;
+  window.right_click(kPaper);
+  window.menu_at(kPaper);
+  for (const char* key : {"Down", "Down", "Return"}) {
+    window.press(key);
+    static_cast<void>(window.screen.settled());
+  }
+  window.screen.xdotool("type --delay 30 Here");
+  REQUIRE(eventually([&] { return window.title().starts_with("* house.poff"); }));
+  window.press("Escape");
+  const PixelBox around{kPaper[0] - 10, kPaper[1] - 20, kPaper[0] + 60, kPaper[1] + 20};
+  const auto words = [&] { return window.screen.settled().box_of_changes(around, window.before); };
+  const PixelBox shown = words();
+  CHECK(shown.right - shown.left > 15);
+  CHECK(shown.bottom - shown.top > 6);
+  // They are one step of undo.
+  window.press("ctrl+z");
+  CHECK(eventually([&] { return words().is_empty() && window.title().starts_with("house.poff"); }));
+}
+
 TEST_CASE("a drag with the right button pans and opens no menu") {
   const MenuWindow window;
   window.screen.xdotool(fmt::format("mousemove {} {} mousedown 3 mousemove {} {} mouseup 3", kPaper[0], kPaper[1],

@@ -61,25 +61,14 @@ bool ShapeDialog::follow_registry() {
 }
 
 void ShapeDialog::press(const KeyChord& chord) {
-  if (ImGui::IsAnyItemActive()) return;
-  if (chord.symbol == key::enter) maker_.accept();
-  if (chord.symbol == key::up) choose_beside(-1);
-  if (chord.symbol == key::down) choose_beside(1);
-}
-
-void ShapeDialog::choose_beside(std::ptrdiff_t rows) {
-  const auto all = shapes();
-  const auto at = std::ranges::find(
-      all, chosen_id_, [](const auto& shape) -> const auto& { return shape->id; });
-  if (at == all.end()) return;
-  chosen_id_ = all[row_beside(at - all.begin(), rows, all.size())]->id;
-  is_chosen_by_key_ = true;
+  if (chord.symbol == key::enter && !ImGui::IsAnyItemActive()) maker_.accept();
 }
 
 void ShapeDialog::draw_list(const Gui& gui) {
   for (const auto& one : shapes()) {
-    if (ImGui::Selectable(one->name.c_str(), one->id == chosen_id_)) chosen_id_ = one->id;
-    if (one->id == chosen_id_ && std::exchange(is_chosen_by_key_, false)) ImGui::SetScrollHereY();
+    const bool is_chosen = ImGui::Selectable(one->name.c_str(), one->id == chosen_id_);
+    if (one->id == chosen_id_) ImGui::SetItemDefaultFocus();
+    if (is_chosen || is_marked_by_key()) chosen_id_ = one->id;
     tooltip(gui, one->explanation);
   }
   follow_registry();
@@ -123,23 +112,25 @@ void ShapeDialog::follow_wish() {
 
 void ShapeDialog::draw(const Gui& gui) {
   if (is_open_ && !follow_registry()) cancel();
-  large_dialog(gui, kShapeDialogId, is_open_, {kShapeDialogWidth, kShapeDialogHeight}, DialogKeys::own, [&](ImVec2) {
-    const DialogColumn columns[] = {{"shapes", kShapeListWidth, [&] { draw_list(gui); }},
-                                    {"settings", kShapeSettingsWidth,
-                                     [&] {
-                                       ImGui::PushFont(gui.bold());
-                                       ImGui::TextUnformatted(chosen_->shape->name.c_str());
-                                       ImGui::PopFont();
-                                       draw_parameters(gui);
-                                       ImGui::Dummy({1, 2 * gui.unit()});
-                                       sampling_.draw(gui);
-                                       follow_wish();
-                                       maker_.draw_facts(gui);
-                                     }},
-                                    {"preview", 0, [&] { maker_.draw_preview(gui); }}};
-    dialog_columns(gui, columns,
-                   maker_.foot(gui, chosen_->shape->name, "The shape becomes a new document", [this] { cancel(); }));
-  });
+  large_dialog(
+      gui, kShapeDialogId, is_open_, {kShapeDialogWidth, kShapeDialogHeight}, DialogKeys::controls, [&](ImVec2) {
+        const DialogColumn columns[] = {{"shapes", kShapeListWidth, [&] { draw_list(gui); }},
+                                        {"settings", kShapeSettingsWidth,
+                                         [&] {
+                                           ImGui::PushFont(gui.bold());
+                                           ImGui::TextUnformatted(chosen_->shape->name.c_str());
+                                           ImGui::PopFont();
+                                           draw_parameters(gui);
+                                           ImGui::Dummy({1, 2 * gui.unit()});
+                                           sampling_.draw(gui);
+                                           follow_wish();
+                                           maker_.draw_facts(gui);
+                                         }},
+                                        {"preview", 0, [&] { maker_.draw_preview(gui); }}};
+        dialog_columns(
+            gui, columns,
+            maker_.foot(gui, chosen_->shape->name, "The shape becomes a new document", [this] { cancel(); }));
+      });
 }
 
 }  // namespace mes

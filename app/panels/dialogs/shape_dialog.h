@@ -44,7 +44,6 @@ class ShapeDialog final : public Dialog {
 
  private:
   void draw_list(const Gui& gui);
-  void choose_beside(std::ptrdiff_t rows);
   void draw_parameters(const Gui& gui);
   /// Requests the samples again if a parameter has changed.
   void follow_wish();
@@ -59,7 +58,6 @@ class ShapeDialog final : public Dialog {
   std::optional<LiveRegistry> registry_;
   bool is_open_ = false;
   std::string chosen_id_;                  // id of a shape
-  bool is_chosen_by_key_ = false;          // the list has to scroll to it
   std::map<std::string, Choice> choices_;  // by id of the shape
   Choice* chosen_ = nullptr;               // points into `choices_`; null before the first choice
   SamplingControls sampling_;

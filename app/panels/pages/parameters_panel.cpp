@@ -74,7 +74,7 @@ void ParametersPanel::draw_animation(const Parameter& parameter) {
       tooltip(gui_, "Restore the value that the parameter had before");
       ImGui::SameLine();
       ImGui::TextDisabled("%d of %d", animation.position(), animation.steps);
-    } else if (ImGui::Button("Play", {130 * unit, 0})) {
+    } else if (default_button(gui_, "Play", {130 * unit, 0}, true) || is_default_pressed()) {
       animation.parameter = parameter;
       computation_.start_animation();
     }

@@ -168,6 +168,7 @@ void Gui::let_keys_choose_rows() {
   io.ConfigFlags &= ~ImGuiConfigFlags_NavEnableKeyboard;
   if (top == nullptr || (top->Flags & ImGuiWindowFlags_NoNavInputs) != 0) return;
   io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
+  if ((top->Flags & ImGuiWindowFlags_Modal) != 0) return;
   // Dear ImGui marks the first row unseen when a menu opens; then the first key would mark the second. A field that is
   // being edited is marked unseen too, and Tab goes on from it.
   if (context.NavDisableHighlight && context.ActiveId == 0) {
@@ -175,7 +176,6 @@ void Gui::let_keys_choose_rows() {
     context.NavInitResultId = 0;
     context.NavId = 0;
   }
-  if ((top->Flags & ImGuiWindowFlags_Modal) != 0) return;
   // Dear ImGui knows only the space bar for this.
   const auto is_down = [](ImGuiKey key) { return ImGui::IsKeyDown(ImGui::GetKeyIndex(key)); };
   if (is_down(ImGuiKey_Enter) || is_down(ImGuiKey_KeyPadEnter)) io.NavInputs[ImGuiNavInput_Activate] = 1.0F;

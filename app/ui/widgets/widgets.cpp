@@ -216,6 +216,17 @@ void polyline(ImDrawList& list, std::span<const ImVec2> points, ImU32 color, boo
   if (is_closed) list.AddLine(points.back(), points.front(), color, thickness);
 }
 
+bool is_marked_by_key() {
+  return ImGui::IsItemFocused() && !ImGui::GetCurrentContext()->NavDisableHighlight;
+}
+
+bool is_default_pressed() {
+  const ImGuiContext& context = *ImGui::GetCurrentContext();
+  const auto is_pressed = [](ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key), false); };
+  return context.ActiveId == 0 && context.ActiveIdPreviousFrame == 0 && context.NavDisableHighlight &&
+         (is_pressed(ImGuiKey_Enter) || is_pressed(ImGuiKey_KeyPadEnter));
+}
+
 bool is_left_by_escape() {
   return ImGui::IsItemDeactivated() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
 }

@@ -81,11 +81,16 @@ inline std::size_t row_beside(std::ptrdiff_t row, std::ptrdiff_t steps, std::siz
 
 /// Explains the last item when the pointer rests on it, even if it is disabled.
 void tooltip(const Gui& gui, const std::string& text);
+/// The same for an item of a panel that lies in `panels` together with others, which should not be covered either.
+void tooltip(const Gui& gui, const std::string& text, const PanelArea& panels);
+
 /// True if Esc ended the writing in the field that was drawn last. Dear ImGui restores the initial text then; the text
 /// that the field had before it was drawn is what was typed.
 bool is_left_by_escape();
-/// The same for an item of a panel that lies in `panels` together with others, which should not be covered either.
-void tooltip(const Gui& gui, const std::string& text, const PanelArea& panels);
+/// True if arrow keys have marked the item that was drawn last.
+bool is_marked_by_key();
+/// True in the frame in which Enter presses the default button of a popup: it left no field and presses no marked item.
+bool is_default_pressed();
 
 /// A row of a menu that runs an action of the table: its name or `label`, its key, and its tooltip with the reason if
 /// it is not possible now.

@@ -272,6 +272,9 @@ void DrawingBoard::draw_menu(const ActionBindings& actions) {
     case CanvasMenu::Choice::show_layer_alone: layers.solo(menu_.layer()); return;
     case CanvasMenu::Choice::end_solo: layers.end_solo(); return;
     case CanvasMenu::Choice::insert_sample: insert_at(target.pointer); return;
+    case CanvasMenu::Choice::annotate:
+      keep({.kind = AnnotationKind::text, .anchors = {{.at = target.pointer.world}}});
+      return;
   }
 }
 

@@ -51,8 +51,8 @@ TEST_CASE("arrow keys go through the controls of the dialog, and the space bar p
   window.folder.write("house.poff", kHouse);
   window.start("house.poff");
   Screenshot before = window.drawn();
-  // From the top of the preview down to the sizes, and on to the square.
-  for (const char* key : {"ctrl+e", "Down", "Down", "Down", "Right", "space"}) {
+  // From the formats down to the sizes, and on to the square.
+  for (const char* key : {"ctrl+e", "Down", "Right", "Right", "Right", "space"}) {
     window.press(key);
     REQUIRE(eventually([&] { return window.screen.shoot().differences(before, 10) > 20; }));
     before = window.screen.settled();

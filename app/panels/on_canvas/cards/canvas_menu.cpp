@@ -94,8 +94,8 @@ CanvasMenu::Choice CanvasMenu::draw_rows(const Gui& gui, const ActionBindings& a
     ImGui::Separator();
   }
   item("Insert a sample here", nullptr, Choice::insert_sample, "Add a sample where the menu was opened");
-  rows({ActionId::write_text, ActionId::paste, ActionId::select_all, ActionId::undo, ActionId::fit,
-        ActionId::export_figure});
+  item("Annotate here", nullptr, Choice::annotate, "Write words where the menu was opened");
+  rows({ActionId::paste, ActionId::select_all, ActionId::undo, ActionId::fit, ActionId::export_figure});
   return out;
 }
 

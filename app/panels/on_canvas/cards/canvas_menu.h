@@ -41,6 +41,7 @@ class CanvasMenu {
     show_layer_alone,
     end_solo,
     insert_sample,
+    annotate,
   };
 
   /// Opens the menu for the target. Asks for the element there in the visible layers, if `may_ask`.
