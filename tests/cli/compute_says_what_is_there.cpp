@@ -58,7 +58,9 @@ TEST_CASE("compute answers with the promised keys") {
   const OrderedJson& epsilon = out["diagnostics"]["epsilon"];
   CHECK(epsilon["value"] == out["structures"]["feature-size"]["epsilon"]);
   CHECK(epsilon["estimate"] == true);
-  CHECK(epsilon["exempt_corners"].get<int>() + epsilon["exempt_ends"].get<int>() > 0);
+  CHECK(keys_of(epsilon) ==
+        std::vector<std::string>{"value", "estimate", "exempt_corners", "exempt_ends", "exempt_junctions"});
+  CHECK(epsilon["exempt_corners"].get<int>() + epsilon["exempt_junctions"].get<int>() > 0);
   CHECK_THAT(out["diagnostics"]["text"].get<std::string>(),
              Catch::StartsWith("estimated epsilon ") &&
                  Catch::EndsWith(" exempt); the theorem is not proved for these samples"));

@@ -91,7 +91,8 @@ Json diagnostics_of(std::span<const NodeReport> nodes) {
     out["epsilon"] = {{"value", verdict.epsilon->value},
                       {"estimate", verdict.epsilon->is_estimate},
                       {"exempt_corners", verdict.epsilon->corners},
-                      {"exempt_ends", verdict.epsilon->ends}};
+                      {"exempt_ends", verdict.epsilon->ends},
+                      {"exempt_junctions", verdict.epsilon->junctions}};
   out["text"] = verdict.text();
   out["reasons"] = reasons;
   return out;

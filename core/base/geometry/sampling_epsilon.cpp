@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 #include <cmath>
+#include <utility>
 
 #include "core/base/counted.h"
 
@@ -16,12 +17,10 @@ std::string SamplingEpsilon::text() const {
   } else {
     out += "infinite";
   }
-  if (corners + ends == 0) return out;
-  out += " (";
-  if (corners != 0) out += counted(corners, "corner");
-  if (corners != 0 && ends != 0) out += ", ";
-  if (ends != 0) out += counted(ends, "end");
-  return out + " exempt)";
+  std::string exempt;
+  for (const auto& [count, one] : {std::pair{corners, "corner"}, {ends, "end"}, {junctions, "junction"}})
+    if (count != 0) exempt += (exempt.empty() ? "" : ", ") + counted(count, one);
+  return exempt.empty() ? out : out + " (" + exempt + " exempt)";
 }
 
 }  // namespace mes

@@ -108,7 +108,7 @@ double FeatureSize::turn_at(SiteSlot site) const {
 
 FeatureSize::Exemption FeatureSize::exemption_of(SiteSlot site) const {
   if (crust_.degree(site) == 0) return Exemption::alone;
-  if (crust_.degree(site) != 2) return Exemption::end;
+  if (crust_.degree(site) != 2) return crust_.degree(site) == 1 ? Exemption::end : Exemption::junction;
   static const double kLeast = 2.0 * std::asin(kDenseEpsilon) * 180.0 / std::numbers::pi;
   constexpr double kMoreThanNeighbours = 4.0;
   const auto [a, b] = crust_neighbours(site);
@@ -145,6 +145,7 @@ std::optional<SamplingEpsilon> FeatureSize::estimated_epsilon() const {
   return SamplingEpsilon{.value = epsilon(edge),
                          .corners = exempt[static_cast<std::size_t>(Exemption::corner)],
                          .ends = exempt[static_cast<std::size_t>(Exemption::end)],
+                         .junctions = exempt[static_cast<std::size_t>(Exemption::junction)],
                          .is_estimate = true};
 }
 
@@ -373,7 +374,7 @@ void FeatureSize::get_ready_to_update(JobControl& job) {
       delaunay_.edge_rows(), [this](EdgeSlot edge) { return epsilon_or_none(edge); },
       [this](EdgeSlot a, EdgeSlot b) { return is_first(a, b); });
   exemption_.assign(delaunay_.site_rows(), Exemption::none);
-  exempt_ = {exemption_.size(), 0, 0, 0};
+  exempt_ = {exemption_.size()};
   for (const SiteSlot site : delaunay_.site_slots())
     if (delaunay_.is_site(site)) set_exemption(site, exemption_of(site));
   is_ready_ = true;
@@ -556,7 +557,7 @@ StatList FeatureSize::statistics() const {
   }
   std::vector<double> epsilons;
   for (const EdgeSlot edge : delaunay_.edge_slots())
-    if (has_epsilon(edge)) epsilons.push_back(epsilon(edge));
+    if (const double value = epsilon_or_none(edge); value > -kInfinity) epsilons.push_back(value);
   const auto above = std::ranges::count_if(epsilons, [](double value) { return value > kDenseEpsilon; });
   StatList out{{"samples", samples}, {"size_min", least}, {"size_max", most}};
   const EdgeSlot sparsest = sparsest_edge();

@@ -91,9 +91,9 @@ class FeatureSize final : public Structure {
   };
 
   FeatureSize(Delaunay& delaunay, OneStepCrust& crust, std::vector<Structure*> inputs, const CurveSampling* curves);
-  enum class Exemption : std::uint8_t { none, corner, end, alone };
+  enum class Exemption : std::uint8_t { none, corner, end, junction, alone };
   /// How many samples have each exemption.
-  using Exempt = std::array<std::size_t, 4>;
+  using Exempt = std::array<std::size_t, 5>;
   Exemption exemption_of(SiteSlot site) const;
   Exempt count_exempt() const;
   double epsilon_or_none(EdgeSlot edge) const;

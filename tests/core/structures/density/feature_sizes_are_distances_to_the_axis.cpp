@@ -94,11 +94,15 @@ void check_sparsest_edge(const TestBench& bench) {
   const auto& delaunay = bench.get<Delaunay>();
   const auto exempt = exempt_sites(bench);
   double most = -1.0;
+  std::int64_t above = 0;
   for (const EdgeSlot edge : delaunay.edge_slots()) {
     if (!sizes.has_epsilon(edge)) continue;
     const auto& [a, b] = delaunay.edge(edge).v;
-    if (!exempt[a] && !exempt[b]) most = std::max(most, sizes.epsilon(edge));
+    if (exempt[a] || exempt[b]) continue;
+    most = std::max(most, sizes.epsilon(edge));
+    above += sizes.epsilon(edge) > kDenseEpsilon ? 1 : 0;
   }
+  REQUIRE(bench.count("feature-size", "curve_edges_above_0.25") == above);
   const EdgeSlot sparsest = sizes.sparsest_edge();
   REQUIRE((sparsest == kNoSlot) == (most < 0.0));
   std::vector<Finding> findings;
@@ -112,6 +116,7 @@ void check_sparsest_edge(const TestBench& bench) {
   REQUIRE(findings[0].epsilon->is_estimate);
   std::size_t corners = 0;
   std::size_t ends = 0;
+  std::size_t junctions = 0;
   for (const SiteSlot site : delaunay.site_slots()) {
     if (!delaunay.is_site(site) || !exempt[site]) continue;
     std::size_t degree = 0;
@@ -119,10 +124,12 @@ void check_sparsest_edge(const TestBench& bench) {
       degree += bench.get<OneStepCrust>().is_crust(edge) ? 1U : 0U;
     });
     corners += degree == 2 ? 1U : 0U;
-    ends += degree != 2 && degree != 0 ? 1U : 0U;
+    ends += degree == 1 ? 1U : 0U;
+    junctions += degree > 2 ? 1U : 0U;
   }
   REQUIRE(findings[0].epsilon->corners == corners);
   REQUIRE(findings[0].epsilon->ends == ends);
+  REQUIRE(findings[0].epsilon->junctions == junctions);
   const EdgeRow& row = delaunay.edge(sparsest);
   const Vec2 middle = 0.5 * delaunay.site_position(row.v[0]) + 0.5 * delaunay.site_position(row.v[1]);
   REQUIRE(findings[0].places == std::vector{middle});
