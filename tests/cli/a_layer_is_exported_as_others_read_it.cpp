@@ -255,6 +255,14 @@ TEST_CASE("the curve is one closed line in GeoJSON, WKT and SVG, upright in each
   CHECK_THAT(path, !Catch::Contains("-0"));
 }
 
+TEST_CASE("a path of SVG lies on the page of its drawing") {
+  const std::string drawing = R"(<svg xmlns="http://www.w3.org/2000/svg" width="100mm" height="50mm" )"
+                              R"(viewBox="0 0 200 100"><rect x="20" y="10" width="120" height="20"/></svg>)";
+  const RunResult out =
+      run({"export", "-", "--vertices", "--layer", "curve", "--format", "svg-path"}, {.input = drawing});
+  CHECK_THAT(out.out, Catch::Contains("10 5") && Catch::Contains("70 15") && !Catch::Contains("-"));
+}
+
 TEST_CASE("circles and arcs keep their radius in a path of SVG") {
   CHECK(exported("-", "b-inner-circles", "svg-path", "WPOFF 1 0 0\n1 2 3\n") ==
         "M 4 -2 A 3 3 0 0 0 -2 -2 A 3 3 0 0 0 4 -2 Z\n");

@@ -59,7 +59,8 @@ constexpr std::array<LayerTextFormat, 14> kFormats{{
      "lines or areas", holds_areas, flatgeobuf_areas_of},
     {"dxf", "dxf", "DXF", "entities of release 12, arcs and circles as such, on a layer with the id of theirs", true,
      false, "", holds_all, dxf_of},
-    {"svg-path", "txt", "SVG path", "the d of one path, upright in SVG", true, false, "", holds_all, svg_path_of},
+    {"svg-path", "txt", "SVG path", "the d of one path, upright in SVG, on the page of a drawing", true, false, "",
+     holds_all, svg_path_of},
 }};
 
 }  // namespace

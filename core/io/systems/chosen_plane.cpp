@@ -75,16 +75,21 @@ std::string percentage(double error) {
   constexpr double kLeast = 1e-4;
   const double percent = kPercent * error;
   if (percent < kLeast) return "0.0001 %";
-  return percent < kPercent ? fmt::format("{:.2g} %", percent) : fmt::format("{:.0f} %", percent);
+  constexpr double kWithoutFraction = 10.0;
+  return percent < kWithoutFraction ? fmt::format("{:.2g} %", percent) : fmt::format("{:.0f} %", percent);
 }
+
+/// Lengths with such an error are no lengths on the Earth, as in web maps far from the equator.
+constexpr double kFar = 0.05;
 
 std::string remark_of(const MapPlane& plane, const CoordinateSystem& system, double error) {
   const std::string of = system.id.empty() ? "" : " of " + system.title();
   if (plane.projection == MapProjection::none && system.is_geographic)
     return fmt::format("degrees{} are kept as coordinates of the plane", of);
   if (plane.projection == MapProjection::none)
-    return fmt::format("coordinates are those of {}, in {}; lengths are right to {}", system.title(),
-                       plane.plane_unit(), percentage(error));
+    return fmt::format("coordinates are those of {}, in {}; {} {}", system.title(), plane.plane_unit(),
+                       error < kFar ? "lengths are right to" : "lengths differ from those on the Earth by up to",
+                       percentage(error));
   const double size = 180.0 / system.half_turn();
   const double east = size * std::remainder(plane.longitude, 2.0 * system.half_turn());
   const std::string about = in_degrees(east, 'E', 'W') + ", " + in_degrees(size * plane.latitude, 'N', 'S');

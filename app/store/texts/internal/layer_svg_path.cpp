@@ -6,6 +6,7 @@
 
 #include "app/store/texts/internal/layer_writers.h"
 #include "app/store/texts/internal/plane_layer.h"
+#include "core/document/document.h"
 #include "core/io/text/text_numbers.h"
 
 namespace mes {
@@ -13,7 +14,8 @@ namespace {
 
 class PathText {
  public:
-  explicit PathText(std::string& out) : out_(out) {}
+  /// `top` is the height of the page of a drawing, from which its y counts downwards.
+  PathText(std::string& out, double top) : out_(out), top_(top) {}
 
   /// Draws a dot, if caps are round.
   void point(Vec2 p) {
@@ -66,16 +68,18 @@ class PathText {
   void place(std::string_view command, Vec2 p) {
     out_ += command;
     number(p.x);
-    number(p.y == 0.0 ? 0.0 : -p.y);
+    number(p.y == top_ ? 0.0 : top_ - p.y);
   }
   std::string& out_;
+  double top_;
 };
 
 }  // namespace
 
 Expected<LayerText> svg_path_of(const LayerGeometry& geometry) {
   LayerText out;
-  PathText path(out.text);
+  const std::optional<MapPlane>& map = geometry.document.map();
+  PathText path(out.text, map ? map->page.y : 0.0);
   for (const LayerIndex layer : geometry.layers) out.left_out += write_plane_layer(path, geometry, layer);
   return out;
 }
