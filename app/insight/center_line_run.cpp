@@ -17,7 +17,9 @@
 #include "core/base/geometry/box2.h"
 #include "core/base/geometry/quick_length.h"
 #include "core/curves/curve.h"
+#include "core/curves/feature_field.h"
 #include "core/resampling/resampling.h"
+#include "core/structures/density/sample_sizes.h"
 #include "core/structures/outline/outline_center_lines.h"
 #include "core/structures/outline/outline_sides.h"
 #include "core/workbench/workbench.h"
@@ -148,6 +150,34 @@ bool is_worth_exact(std::span<const PlaneCurve> curves, std::size_t samples) {
   return samples > kMany && samples / kOfSide > pieces;
 }
 
+/// The contours of data without curves as outlines, if the samples do not stand for them, as where a table has only the
+/// corners of a ring; else null.
+std::shared_ptr<const CurveSet> coarse_contours(const SampleData& data, JobControl& job) {
+  constexpr std::size_t kMost = 20'000;  // longer lists are samples
+  const auto is_open = [](const SampleData::Contour& contour) { return !contour.closed; };
+  if (data.contours.empty() || data.positions.size() > kMost || std::ranges::any_of(data.contours, is_open))
+    return nullptr;
+  auto out = std::make_shared<CurveSet>();
+  std::vector<bool> is_on_contour(data.positions.size(), false);
+  for (const SampleData::Contour& contour : data.contours) {
+    PlaneCurve curve(data.positions[contour.points.front()]);
+    for (const std::uint32_t i : contour.points) {
+      is_on_contour[i] = true;
+      if (data.positions[i] != curve.end()) curve.line_to(data.positions[i]);
+    }
+    if (curve.piece_count() < 2) return nullptr;
+    curve.close();
+    out->curves.push_back(std::move(curve));
+  }
+  if (std::ranges::find(is_on_contour, false) != is_on_contour.end()) return nullptr;
+  SampleSizes sizes(job);
+  const auto field = FeatureField::of(
+      *out, {.rule = SamplingRule::feature_size, .count = kUsualSamples},
+      [&sizes](std::span<const Vec2> positions) { return sizes.of(positions); }, &job, kMostOutlineSamples);
+  if (field && field->standing(data.positions, &job).epsilon <= 1.0) return nullptr;
+  return out;
+}
+
 }  // namespace
 
 CenterLineWish wish_of(const ComputationSettings& settings, const Annotations& annotations) {
@@ -162,6 +192,10 @@ CenterLineWish wish_of(const ComputationSettings& settings, const Annotations& a
 Expected<CenterLineInput> input_for_center_lines(const SampleData& data, CenterLineBasis basis, JobControl& job) {
   CenterLineInput out{.is_exact = basis == CenterLineBasis::outlines};
   std::shared_ptr<const CurveSet> curves = data.source ? data.source->curves : nullptr;
+  if (!curves && basis == CenterLineBasis::new_samples) {
+    curves = coarse_contours(data, job);
+    if (curves) out.remarks.emplace_back("the samples are too few for their contours, which are taken as outlines");
+  }
   if (!curves) {
     out.data = data;
     return out;
@@ -198,8 +232,8 @@ Expected<CenterLineInput> input_for_center_lines(const SampleData& data, CenterL
     out.remarks.push_back("the lines are those of the exact axis of the outlines, because " + reason);
   }
   out.data = data;
-  if (curves != data.source->curves) {
-    CurveSource source = *data.source;
+  if (!data.source || curves != data.source->curves) {
+    CurveSource source = data.source ? *data.source : CurveSource{};
     source.curves = std::move(curves);
     out.data.source = std::make_shared<const CurveSource>(std::move(source));
   }

@@ -46,7 +46,8 @@ struct CenterLineInput {
       remarks{};  ///< a sentence each, on what was chosen, left out, or is wrong with the outlines
 };
 
-/// Data without curves are samples already. If there are closed curves, open ones and points are left out, and so are
+/// Data without curves are samples already, unless they have contours that these do not stand for, as where a table has
+/// only the corners of a ring. If there are closed curves, open ones and points are left out, and so are
 /// outlines without a width. Instead of new samples the outlines themselves are chosen if these cross, or if the rule
 /// cannot sample them, or would need more samples than `kMostOutlineSamples`. Error: `bad_input`, if no outline remains.
 /// Throws `Cancelled`.

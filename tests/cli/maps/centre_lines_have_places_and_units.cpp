@@ -37,6 +37,29 @@ TEST_CASE("lines of a drawing lie on its page, in its unit") {
             .out.starts_with("0\nSECTION\n2\nENTITIES\n"));
 }
 
+TEST_CASE("contours whose samples are their corners alone are outlines, and those with many samples stay") {
+  const auto ring = [](int along, int across) {
+    std::string out = "x,y\n";
+    const auto side = [&](double x, double y, double dx, double dy, int count) {
+      for (int i = 0; i < count; ++i)
+        out += std::to_string(x + dx * i / count) + ',' + std::to_string(y + dy * i / count) + '\n';
+    };
+    side(0, 0, 100, 0, along);
+    side(100, 0, 0, 20, across);
+    side(100, 20, -100, 0, along);
+    side(0, 20, 0, -20, across);
+    return out + "0,0\n";
+  };
+  for (const bool is_coarse : {true, false}) {
+    const RunResult result = run({"centerline", "-"}, {.input = is_coarse ? ring(1, 1) : ring(100, 20)});
+    REQUIRE(result.exit_code == 0);
+    CHECK(result.err.contains("too few for their contours") == is_coarse);
+    const Json lines = Json::parse(result.out)["features"];
+    REQUIRE(lines.size() == 1);
+    CHECK(lines[0]["properties"]["length"].get<double>() == Approx(80).epsilon(0.01));
+  }
+}
+
 TEST_CASE("lengths are metres in a map of degrees, whatever its extent") {
   const auto feature = [](const std::string& corners) {
     return R"({"type":"Feature","properties":{},"geometry":{"type":"Polygon","coordinates":[[)" + corners + "]]}}\n";
