@@ -11,6 +11,7 @@
 #include <span>
 #include <utility>
 
+#include "core/base/counted.h"
 #include "core/base/geometry/box2.h"
 #include "core/base/geometry/box_tree.h"
 #include "core/curves/cuts.h"
@@ -391,6 +392,62 @@ std::size_t MapShapes::holes_outside() const {
   return out;
 }
 
+std::size_t MapShapes::polygons_inside() const {
+  if (!arcs_.empty() || !rings_of_polygon_) return 0;
+  struct Polygon {
+    Box2 box;
+    std::vector<std::span<const Vec2>> rings;  // the outer one first
+    std::vector<RingSides> sides;              // of the rings, once they are asked for
+  };
+  std::vector<Polygon> polygons;
+  std::size_t begin = 0;
+  for (const Part& part : parts_) {
+    const auto ring = std::span(positions_).subspan(begin, part.end - begin);
+    begin = part.end;
+    if (part.kind != Kind::ring) continue;
+    if (!part.is_hole || polygons.empty()) polygons.push_back({box_of(ring), {}, {}});
+    polygons.back().rings.push_back(ring);
+  }
+  if (polygons.size() < 2) return 0;
+  std::vector<std::uint32_t> numbers(polygons.size());
+  std::iota(numbers.begin(), numbers.end(), 0U);
+  BoxTree<std::uint32_t> tree;
+  tree.build(
+      std::span<const std::uint32_t>(numbers), [&](std::uint32_t i) { return TreeBounds{polygons[i].box}; },
+      [](std::uint32_t, std::uint32_t) {});
+  const auto is_within = [](std::span<const Vec2> ring, Polygon& other) {
+    if (other.sides.empty())
+      for (const auto& one : other.rings) other.sides.emplace_back(one);
+    bool is_inside = false;
+    for (const Vec2 p : ring) {
+      const int place = other.sides.front().place_of(p);
+      if (place < 0) return false;
+      if (place == 0) continue;
+      int in_hole = -1;
+      for (std::size_t i = 1; i < other.sides.size(); ++i) in_hole = std::max(in_hole, other.sides[i].place_of(p));
+      if (in_hole > 0) return false;
+      is_inside = is_inside || in_hole < 0;
+    }
+    return is_inside;
+  };
+  constexpr int kMostAsked = 16;  // where more polygons lie one in the other, their boxes are nested as well
+  std::size_t out = 0;
+  for (std::size_t i = 0; i < polygons.size(); ++i) {
+    const Box2& box = polygons[i].box;
+    const auto may_hold = [&box](const Box2& other, double) {
+      return other.contains(box.low) && other.contains(box.high);
+    };
+    bool is_inside = false;
+    int asked = 0;
+    tree.visit_where(may_hold, [&](std::uint32_t j) {
+      if (is_inside || j == i || !may_hold(polygons[j].box, 0.0) || ++asked > kMostAsked) return;
+      is_inside = is_within(polygons[i].rings.front(), polygons[j]);
+    });
+    if (is_inside) ++out;
+  }
+  return out;
+}
+
 // A hole that repeats an outer ring in the same direction would be dropped as a duplicate; in the other direction it is
 // the border of both.
 void MapShapes::turn_filled_holes(std::vector<PlaneCurve>& curves) const {
@@ -433,12 +490,14 @@ Expected<LoadedFile> MapShapes::load(const std::string& name, ReadJob& job) && {
   std::string remark;
   const auto system = system_of_positions(remark);
   if (!system) return refused(system.error());
-  const auto remark_on_holes = [&, count = holes_outside()](LoadedFile& file) {
-    if (count == 0) return;
-    const std::string text = count == 1
-                                 ? "1 hole lies outside its polygon, and encloses a shape"
-                                 : fmt::format("{} holes lie outside their polygons, and enclose shapes", count);
-    file.warnings.push_back(Error{ErrorCode::bad_input, text, name}.message());
+  const auto remark_on_holes = [&, outside = holes_outside(), inside = polygons_inside()](LoadedFile& file) {
+    const auto say = [&](std::size_t count, std::string_view one, std::string_view many) {
+      if (count != 0) file.warnings.push_back(Error{ErrorCode::bad_input, counted(count, one, many), name}.message());
+    };
+    say(outside, "hole lies outside its polygon, and encloses a shape",
+        "holes lie outside their polygons, and enclose shapes");
+    say(inside, "polygon lies inside another one, and cuts a hole into it",
+        "polygons lie inside others, and cut holes into them");
   };
   if (!*system || positions_.empty()) {
     if (remark.empty() && look_like_degrees(positions_))

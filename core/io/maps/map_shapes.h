@@ -102,6 +102,9 @@ class MapShapes {
   void unroll(double half_turn);
   /// Holes that lie outside their polygon, without those of maps with arcs.
   std::size_t holes_outside() const;
+  /// Polygons with all corners within another one that has no hole there, or on its border, but not all there. Without
+  /// those of maps with arcs, or whose polygons do not mark their holes.
+  std::size_t polygons_inside() const;
   void turn_filled_holes(std::vector<PlaneCurve>& curves) const;
 
   MapDegrees degrees_;

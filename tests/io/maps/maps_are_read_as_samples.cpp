@@ -107,6 +107,29 @@ TEST_CASE("a remark counts holes that lie outside their polygon") {
       Catch::Contains("1 hole lies outside its polygon"));
 }
 
+TEST_CASE("a remark counts polygons that lie inside others") {
+  const auto told = [](const std::string& polygons) {
+    const LoadedFile file = good(read_sample_bytes("MULTIPOLYGON (" + polygons + ")", "a.wkt", {}));
+    std::string out;
+    for (const std::string& warning : file.warnings) out += warning + '\n';
+    return out;
+  };
+  const std::string park = "((0 0, 9 0, 9 9, 0 9, 0 0))";
+  const std::string park_with_lake = "((0 0, 9 0, 9 9, 0 9, 0 0), (2 2, 2 7, 7 7, 7 2, 2 2))";
+  CHECK_THAT(told(park + ", ((2 2, 4 2, 4 4, 2 2))"),
+             Catch::Contains("a.wkt: 1 polygon lies inside another one, and cuts a hole into it"));
+  CHECK_THAT(told("((2 2, 4 2, 4 4, 2 2)), ((5 5, 6 5, 6 6, 5 5)), " + park),
+             Catch::Contains("2 polygons lie inside others"));
+  // It may touch the other from inside, and lie beside a hole there.
+  CHECK_THAT(told(park + ", ((0 0, 4 0, 4 4, 0 0))"), Catch::Contains("1 polygon lies inside"));
+  CHECK_THAT(told(park_with_lake + ", ((0 0, 2 0, 1 2, 0 0))"), Catch::Contains("1 polygon lies inside"));
+  // An island in a lake, a lake that is a polygon of its own, neighbours, and polygons that cross.
+  CHECK_THAT(told(park_with_lake + ", ((3 3, 4 3, 4 4, 3 3))"), !Catch::Contains("inside"));
+  CHECK_THAT(told(park_with_lake + ", ((2 2, 7 2, 7 7, 2 7, 2 2))"), !Catch::Contains("inside"));
+  CHECK_THAT(told(park + ", ((9 0, 12 0, 12 9, 9 9, 9 0))"), !Catch::Contains("inside"));
+  CHECK_THAT(told(park + ", ((5 5, 12 5, 12 6, 5 5))"), !Catch::Contains("inside"));
+}
+
 TEST_CASE("WKT is in the plane unless it names degrees") {
   CHECK(read_map("POINT (30 60)").data.positions == std::vector<Vec2>{{30, 60}});
   CHECK(read_map("SRID=3857;POINT (30 60)").data.positions == std::vector<Vec2>{{30, 60}});
