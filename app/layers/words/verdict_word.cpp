@@ -67,44 +67,33 @@ constexpr std::array<Name, 8> kOfBalls{{{"union", "the union of "},
 
 // The names of findings, in the plural and the singular.
 struct Spoken {
-  std::string_view text;
-  std::string_view several;
+  std::string_view several;  // the text of the finding
   std::string_view one;
 };
 constexpr auto kSpokenFindings = std::to_array<Spoken>({
-    {"curve edges beyond which another inner ball shows: the sample is not dense enough there",
-     "curve edges that another inner ball protrudes beyond: too few samples there",
+    {"curve edges that another inner ball protrudes beyond: too few samples there",
      "curve edge that another inner ball protrudes beyond: too few samples there"},
     {"intervals of the curves with too few samples to stand for them, epsilon above 1",
-     "intervals of the curves with too few samples to stand for them, epsilon above 1",
      "interval of the curves with too few samples to stand for it, epsilon above 1"},
-    {"neighbours along the curves that the crust does not join",
-     "pairs of neighbours along the curves that the crust does not join",
+    {"pairs of neighbours along the curves that the crust does not join",
      "pair of neighbours along the curves that the crust does not join"},
-    {"samples inside the shape, on borders that regions share, or where its border meets itself",
-     "samples inside the shape, on shared borders, or where its border meets itself",
+    {"samples inside the shape, on shared borders, or where its border meets itself",
      "sample inside the shape, on a shared border, or where its border meets itself"},
-    {"edges labelled against their crust test", "edges at which inside and outside contradict the crust",
+    {"edges at which inside and outside contradict the crust",
      "edge at which inside and outside contradict the crust"},
-    {"samples with an odd number of curve edges: corners, noise, ends of strokes",
-     "samples with an odd number of curve edges instead of two: corners, noise, ends of strokes",
+    {"samples with an odd number of curve edges instead of two: corners, noise, ends of strokes",
      "sample with an odd number of curve edges instead of two: a corner, noise, the end of a stroke"},
-    {"samples on no curve", "samples on no curve", "sample on no curve"},
-    {"triangles of balls with a common sample have orthogonal radius zero, and were judged otherwise",
-     "triangles misjudged by rounding: their balls have a common sample, so their orthogonal radius is zero",
+    {"samples on no curve", "sample on no curve"},
+    {"triangles misjudged by rounding: their balls have a common sample, so their orthogonal radius is zero",
      "triangle misjudged by rounding: its balls have a common sample, so its orthogonal radius is zero"},
     {"v-points that are not samples, by rounding or in truth",
-     "v-points that are not samples, by rounding or in truth",
      "v-point that is not a sample, by rounding or in truth"},
-    {"v-points that are not samples", "v-points that are not samples", "v-point that is not a sample"},
+    {"v-points that are not samples", "v-point that is not a sample"},
     {"contradictions between dual complex and Voronoi diagram of the v-points",
-     "contradictions between dual complex and Voronoi diagram of the v-points",
      "contradiction between dual complex and Voronoi diagram of the v-points"},
     {"points that are not finite, left out of sums and drawing",
-     "points that are not finite, left out of sums and drawing",
      "point that is not finite, left out of sums and drawing"},
-    {"the axis and the dual complex differ in Euler characteristic",
-     "differences of the axis from the dual complex in Euler characteristic",
+    {"differences of the axis from the dual complex in Euler characteristic",
      "difference of the axis from the dual complex in Euler characteristic"},
 });
 
@@ -166,8 +155,9 @@ std::string text_of(const Finding& finding, std::string_view structure) {
   const std::string prefix = std::string(structure) + ": ";
   const Name* const family = named_family(structure);
   if (text.starts_with(prefix)) text.remove_prefix(prefix.size());
-  if (const auto found = std::ranges::find(kSpokenFindings, text, &Spoken::text); found != kSpokenFindings.end())
-    text = finding.count == 1 ? found->one : found->several;
+  if (finding.count == 1)
+    if (const auto found = std::ranges::find(kSpokenFindings, text, &Spoken::several); found != kSpokenFindings.end())
+      text = found->one;
   const std::string out = grouped(static_cast<std::size_t>(finding.count)) + ' ' + std::string(text);
   return family == nullptr ? out : out + " (union of " + std::string(family->name) + ')';
 }

@@ -401,7 +401,7 @@ void BallUnion::find(std::vector<Finding>& out) const {
   if (t.counts.sign_flips != 0) {
     auto& places =
         say(FindingLevel::wrong, t.counts.sign_flips,
-            "triangles of balls with a common sample have orthogonal radius zero, and were judged otherwise");
+            "triangles misjudged by rounding: their balls have a common sample, so their orthogonal radius is zero");
     // Misjudged triangles that were left out cannot be shown, but the edges beside them that lost a neighbour can.
     for (const DualEdge& edge : t.dual_edges) {
       if (places.size() >= kMostPlaces) break;
@@ -435,7 +435,7 @@ void BallUnion::find(std::vector<Finding>& out) const {
     return std::int64_t{0};
   };
   if (value("chi_dual") != value("chi"))
-    say(FindingLevel::wrong, 1, "the axis and the dual complex differ in Euler characteristic");
+    say(FindingLevel::wrong, 1, "differences of the axis from the dual complex in Euler characteristic");
 }
 
 std::unique_ptr<BallFamily> inner_voronoi_balls(const Delaunay& delaunay, const InnerBalls& balls) {

@@ -338,7 +338,7 @@ StatList AxisCertificate::statistics() const {
 void AxisCertificate::find(std::vector<Finding>& out) const {
   if (bad_edge_count() != 0) {
     Finding& finding = out.emplace_back();
-    finding.text = "curve edges beyond which another inner ball shows: the sample is not dense enough there";
+    finding.text = "curve edges that another inner ball protrudes beyond: too few samples there";
     finding.count = static_cast<std::int64_t>(bad_edge_count());
     for (const EdgeSlot edge : edge_.rows()) {
       if (finding.places.size() == kMostPlaces) break;
@@ -349,7 +349,7 @@ void AxisCertificate::find(std::vector<Finding>& out) const {
   }
   if (bad_sites_ != 0) {
     Finding& finding = out.emplace_back();
-    finding.text = "samples inside the shape, on borders that regions share, or where its border meets itself";
+    finding.text = "samples inside the shape, on shared borders, or where its border meets itself";
     finding.count = static_cast<std::int64_t>(bad_sites_);
     for (const SiteSlot site : bad_site_.rows()) {
       if (finding.places.size() == kMostPlaces) break;

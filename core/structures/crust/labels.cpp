@@ -412,7 +412,7 @@ StatList Labels::statistics() const {
 void Labels::find(std::vector<Finding>& out) const {
   if (conflict_count() == 0) return;
   Finding& finding = out.emplace_back();
-  finding.text = "edges labelled against their crust test";
+  finding.text = "edges at which inside and outside contradict the crust";
   finding.count = static_cast<std::int64_t>(conflict_count());
   for (const EdgeSlot edge : delaunay_.edge_slots()) {
     if (finding.places.size() == kMostPlaces) break;

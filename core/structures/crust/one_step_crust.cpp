@@ -240,7 +240,8 @@ void OneStepCrust::find(std::vector<Finding>& out) const {
       if (delaunay_.is_site(site) && is_meant(site)) finding.places.push_back(delaunay_.site_position(site));
     }
   };
-  add(FindingLevel::doubt, "samples with an odd number of curve edges: corners, noise, ends of strokes", odd_count_,
+  add(FindingLevel::doubt,
+      "samples with an odd number of curve edges instead of two: corners, noise, ends of strokes", odd_count_,
       [this](SiteSlot site) { return is_odd(site); });
   add(FindingLevel::note, "samples on no curve", lone_count(), [this](SiteSlot site) { return degree(site) == 0; });
 }

@@ -49,7 +49,7 @@ std::vector<Finding> findings_of(const CurveStanding& standing, std::span<const 
     for (const Vec2 place : standing.sparse) add_place(doubt, place);
   }
   Finding unjoined;
-  unjoined.text = "neighbours along the curves that the crust does not join";
+  unjoined.text = "pairs of neighbours along the curves that the crust does not join";
   for (const auto& [a, b] : standing.neighbours) {
     const SiteSlot from = delaunay.site_of_sample(slots[a]);
     const SiteSlot to = delaunay.site_of_sample(slots[b]);

@@ -49,7 +49,7 @@ TEST_CASE("a note about sampling or drawing is listed and leaves the light as it
 }
 
 TEST_CASE("a finding is said with its count, one as one, and whose balls it is about") {
-  Finding finding{.text = "samples with an odd number of curve edges: corners, noise, ends of strokes",
+  Finding finding{.text = "samples with an odd number of curve edges instead of two: corners, noise, ends of strokes",
                   .count = 1,
                   .places = {},
                   .epsilon = {}};
@@ -58,7 +58,8 @@ TEST_CASE("a finding is said with its count, one as one, and whose balls it is a
   finding.count = 12;
   CHECK(text_of(finding, "one-step-crust").starts_with("12 samples with"));
   finding.text =
-      "a-union: triangles of balls with a common sample have orthogonal radius zero, and were judged otherwise";
+      "a-union: triangles misjudged by rounding: their balls have a common sample, so their orthogonal radius is "
+      "zero";
   finding.count = 207;
   const std::string text = text_of(finding, "a-union");
   CHECK(text.starts_with("207 triangles misjudged by rounding"));
