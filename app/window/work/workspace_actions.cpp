@@ -44,9 +44,9 @@ void Workspace::bind_editing(ActionBindings& actions) {
     actions.bind(id, {[this, wish] { curve_selector_.begin(wish); }, has_samples});
   };
   actions.bind(ActionId::curves_of_samples, {[this] { curve_sampler_.want_curves_of_samples(); }, has_two});
-  actions.bind(ActionId::mark_corners,
-               {[this] { report(curve_sampler_.mark_corners()); },
-                {[this] { return !curve_sampler_.corners().empty(); }, "there are no curves with corners"}});
+  actions.bind(ActionId::mark_corners, {[this] { report(curve_sampler_.mark_corners()); },
+                                        {[this] { return !curve_sampler_.corners().empty(); },
+                                         "the samples were taken from no curves with corners"}});
   bind_along_curve(ActionId::select_curve, CurveSelector::Wish::whole);
   bind_along_curve(ActionId::grow_selection, CurveSelector::Wish::grow);
   bind_along_curve(ActionId::shrink_selection, CurveSelector::Wish::shrink);
