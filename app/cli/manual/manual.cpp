@@ -57,6 +57,10 @@ void write_actions(Markdown& page) {
       "this\n"
       "text in the window, where Enter goes to the next place with the words in its field.");
   page.paragraph(
+      "In dialogs arrow keys go from control to control, or from row to row of a list; the space bar presses the "
+      "one\n"
+      "that is marked, Enter the default button, and Esc closes the dialog.");
+  page.paragraph(
       "The file `$XDG_CONFIG_HOME/mesecina/keys.conf` (`~/.config/mesecina/keys.conf`) gives commands other keys,\n"
       "by lines such as `tool-spray = D Ctrl+Shift+D`: the id of a command, and its keys; none take all keys away.\n"
       "A key is taken from the command that had it. *Help > Write or reread the file of keys* makes that file with "
