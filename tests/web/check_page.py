@@ -70,7 +70,9 @@ class Server:
 
 class Checks:
     def __init__(self, pictures):
-        self.pictures = pictures
+        self.pictures = pictures and pathlib.Path(pictures)
+        if self.pictures:
+            self.pictures.mkdir(parents=True, exist_ok=True)
         self.link = Server().link
         self.profile = None  # where the browser keeps what the page gives it
         self.browser = None
@@ -103,7 +105,7 @@ class Checks:
 
     def say(self, page, name, shown=None):
         if self.pictures:
-            (shown or page).picture(pathlib.Path(self.pictures) / (name.replace(" ", "_") + ".png"))
+            (shown or page).picture(self.pictures / (name.replace(" ", "_") + ".png"))
         if page.complaints:
             raise AssertionError("the console has errors: " + "; ".join(page.complaints))
         print("holds:", name, flush=True)
