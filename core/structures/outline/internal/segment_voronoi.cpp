@@ -397,7 +397,7 @@ class InnerVoronoi {
   }
 
   /// `around` are the features of the face. Positions count from one of them: far from the origin of the plane, as on a
-  /// map, the coordinates of a thin shape are rounded to a large part of its width.
+  /// map, errors of rounding in the construction exceed the width of a thin shape.
   OutlineNode node_at(Face f, const Triple& around) const {
     if (const OutlineFeatureSlot p = meeting_point(f); p != kNoSlot) return {out_.features[p].from, 0.0};
     const Vec2 origin = out_.features[around[0]].from;
