@@ -197,7 +197,7 @@ Expected<LineText> lines_by_gdal(std::span<const TextLine> lines) {
   const bool is_one_system = std::ranges::all_of(lines, [&](const TextLine& line) {
     return is_of_map(line) == is_of_map(lines.front()) && (!line.map || line.map->system == map->system);
   });
-  // From WGS 84 GDAL would come back by an operation of its own choice, a metre beside in North America.
+  // From WGS 84 GDAL comes back by an operation of its own choice, in New York to a place a metre away.
   const MapTarget target = is_one_system ? MapTarget::own_system : MapTarget::wgs84;
   auto out = features_of_lines(lines, target);
   if (!out) return out;
