@@ -37,6 +37,35 @@ std::string work_text(const NodeReport& node) {
   return fmt::format("{:.{}f} ms, {} changed", node.update_ms, decimals, node.touched);
 }
 
+std::string text_of_stat(const StatValue& value) {
+  const auto* const number = std::get_if<std::int64_t>(&value);
+  return number != nullptr && *number >= 0 ? grouped(static_cast<std::size_t>(*number)) : to_text(value);
+}
+
+/// The name and the value on one line, or on lines below each other if there is no room for that.
+void draw_stat(const Gui& gui, const Stat& stat) {
+  const float unit = gui.unit();
+  const float right = ImGui::GetContentRegionMax().x;
+  const std::string name = readable(stat.key);
+  const std::string text = text_of_stat(stat.value);
+  const float width = ImGui::CalcTextSize(text.c_str()).x;
+  const float indent = 16 * unit;
+  const float gap = 8 * unit;
+  ImGui::Indent(indent);
+  ImGui::PushTextWrapPos(0.0F);
+  ImGui::TextDisabled("%s", name.c_str());
+  if (ImGui::GetCursorStartPos().x + indent + ImGui::CalcTextSize(name.c_str()).x + gap + width <= right) {
+    ImGui::SameLine(right - width);
+    ImGui::TextUnformatted(text.c_str());
+  } else {
+    ImGui::Indent(indent);
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::Unindent(indent);
+  }
+  ImGui::PopTextWrapPos();
+  ImGui::Unindent(indent);
+}
+
 void draw_node(const Gui& gui, const NodeReport& node) {
   const float unit = gui.unit();
   const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -67,23 +96,7 @@ void draw_node(const Gui& gui, const NodeReport& node) {
         "Numbers of this computation. EPICK and EPECK are CGAL's kernels with exact decisions: coordinates that are "
         "constructed are rounded to doubles in the first, and exact in the second");
   }
-  if (!node.stats.empty() && ImGui::BeginTable("stats", 2, ImGuiTableFlags_SizingStretchProp)) {
-    // Widths that followed from the contents would be right in the second frame only, and there may be none.
-    ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthStretch | ImGuiTableColumnFlags_NoClip, 0.6F);
-    ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch, 0.4F);
-    for (const Stat& stat : node.stats) {
-      ImGui::TableNextRow();
-      ImGui::TableNextColumn();
-      ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 16 * unit);
-      ImGui::TextDisabled("%s", readable(stat.key).c_str());
-      ImGui::TableNextColumn();
-      const std::string text = to_text(stat.value);
-      const float free = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(text.c_str()).x;
-      if (free > 0) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + free);
-      ImGui::TextUnformatted(text.c_str());
-    }
-    ImGui::EndTable();
-  }
+  for (const Stat& stat : node.stats) draw_stat(gui, stat);
   ImGui::Dummy({0, 4 * unit});
 }
 
