@@ -187,10 +187,12 @@ OwnTable& OwnTable::add(std::string name, std::string description, ColumnType ty
   column.stride = stride;
   static constexpr std::array<std::string_view, 2> kCoordinates{"x", "y"};
   static constexpr std::array<std::string_view, 3> kNumbers{"0", "1", "2"};
-  if (width == 2 && type == ColumnType::float64)
+  if (width == 2 && type == ColumnType::float64) {
     column.parts = kCoordinates;
-  else if (width > 1 && width <= kNumbers.size())
+    column.has_directions = true;  // an experiment does not say which they are
+  } else if (width > 1 && width <= kNumbers.size()) {
     column.parts = std::span(kNumbers).first(width);
+  }
   return *this;
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -54,10 +55,19 @@ Expected<std::string> select_table(const Registry& registry, const ExportRequest
   return request.table;
 }
 
-/// Positions become those of the map; `plane` has to live as long as the table.
+bool is_pair(const TableColumn& column) {
+  return column.type == ColumnType::float64 && column.parts.size() == 2 && column.parts.front() == "x";
+}
+
+/// Positions become those of the map. A table with directions stays as it is, since its rows would be of two planes.
+/// `plane` has to live as long as the table.
 void write_on_map(TableColumns& table, const WrittenPlane& plane) {
+  const auto is_position = [](const TableColumn& column) { return is_pair(column) && !column.has_directions; };
+  if (std::ranges::none_of(table.columns, is_position)) return;
+  if (std::ranges::any_of(table.columns, &TableColumn::has_directions))
+    return say(table.name + ": positions are those of the plane, since the table has directions");
   for (TableColumn& column : table.columns) {
-    if (column.type != ColumnType::float64 || column.parts.size() != 2 || column.parts.front() != "x") continue;
+    if (!is_pair(column)) continue;
     column.read = [on_plane = column, &plane](RowNumber row, void* out) {
       Vec2 p;
       on_plane.copy_row(row, &p);
@@ -78,7 +88,8 @@ Expected<void> run_table_export(const Registry& registry, const ExportRequest& r
   const auto input = read_source(registry, request.source);
   if (!input) return std::unexpected(input.error());
 
-  const auto plane = WrittenPlane::of(input->file.data.map);
+  const std::optional<MapPlane>& map = input->file.data.map;
+  const auto plane = WrittenPlane::of(map);
   if (!plane) return std::unexpected(plane.error());
   std::string bytes;
   {
@@ -96,7 +107,7 @@ Expected<void> run_table_export(const Registry& registry, const ExportRequest& r
     if (auto done = bench.run(job); !done) return done;
     auto tables = tables_of(bench.graph().structures(), request.structure);
     const auto table = std::ranges::find(tables, *name, &TableColumns::name);
-    if (input->file.data.map) write_on_map(*table, *plane);
+    if (map && map->projection != MapProjection::none) write_on_map(*table, *plane);
     write_table(*table, *format, [&bytes](std::string_view piece) { bytes += piece; });
   }
   return write_output(request.output, bytes, interruption, {input->file.sources, request.force});

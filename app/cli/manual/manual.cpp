@@ -241,7 +241,8 @@ void write_structures(const Registry& registry, Markdown& page) {
       "writes a\n"
       "table, and `--format npy` writes it for NumPy; `mesecina list structures --json` describes all columns. "
       "Positions in\n"
-      "the table of a map in degrees are longitude and latitude; lengths are in metres,\n"
+      "the table of a map in degrees are longitude and latitude, unless it has directions as well; lengths are in "
+      "metres,\n"
       "or in kilometres if the map is wider than a hemisphere.");
   const StructureSet structures = registry.make_structures();
   Rows rows;

@@ -74,7 +74,8 @@ std::vector<TableColumns> Curve::table_columns() const {
   sites.set_kind(ElementKind::site);
   sites.set_rows_of(of_sites);
   sites.set_changes(site_changes_);
-  sites.column("normal", "Unit normal, to the outside where there is one; zero where two edges do not meet", normal_);
+  sites.column("normal", "Unit normal, to the outside where there is one; zero where two edges do not meet", normal_)
+      .has_directions = true;
   sites.column("spacing", "Mean length of the two curve edges at a site with a normal", spacing_);
 
   TableMaker<EdgeSlot> edges(

@@ -216,6 +216,11 @@ TEST_CASE("positions in tables of structures are those of the map") {
   check_in_house(table(grid, "samples", "samples"));
   check_in_house_in_degrees(table(degrees, "samples", "samples"));
   check_in_house_in_degrees(table(degrees, "outline-axis", "nodes"));
+  // Directions have no place on a map.
+  for (const auto& [x, y] : table(degrees, "curve", "sites")) CHECK(std::hypot(x, y) <= 1.0 + 1e-12);
+  std::string told;
+  well_done({"export", degrees, "--structure", "a-power-diagram", "--table", "edges", "--format", "csv"}, &told);
+  CHECK_THAT(told, Catch::Contains("edges: positions are those of the plane, since the table has directions"));
   CHECK(table(degrees, "outline-axis", "nodes").size() == table(grid, "outline-axis", "nodes").size());
 }
 

@@ -201,7 +201,8 @@ std::vector<TableColumns> PowerDiagram::table_columns() const {
   edges.reference("balls", "Both ends in the triangulation", edges_, &PowerEdge::ball, table_name(id(), "balls"));
   edges.column("kind", "Edge of the power diagram: 0 segment, 1 ray, 2 line", edges_, &PowerEdge::kind);
   edges.column("from", "Vertex of the power diagram, or any point of a line", edges_, &PowerEdge::from);
-  edges.column("to", "The other vertex; the direction of a ray or line", edges_, &PowerEdge::to);
+  edges.column("to", "The other vertex; the direction of a ray or line", edges_, &PowerEdge::to).has_directions =
+      true;
   edges.reference("vertices", "Numbers of the vertices at both ends; none at infinity", edges_, &PowerEdge::face,
                   {std::string()});
   edges.column("length", "Length of a segment", edges_, &PowerEdge::length);
