@@ -154,8 +154,8 @@ bool is_worth_exact(std::span<const PlaneCurve> curves, std::size_t samples) {
 /// corners of a ring; else null.
 std::shared_ptr<const CurveSet> coarse_contours(const SampleData& data, JobControl& job) {
   constexpr std::size_t kMost = 20'000;  // longer lists are samples
-  const auto is_open = [](const SampleData::Contour& contour) { return !contour.closed; };
-  if (data.contours.empty() || data.positions.size() > kMost || std::ranges::any_of(data.contours, is_open))
+  const auto is_ring = [](const SampleData::Contour& contour) { return contour.closed && contour.points.size() > 2; };
+  if (data.contours.empty() || data.positions.size() > kMost || !std::ranges::all_of(data.contours, is_ring))
     return nullptr;
   auto out = std::make_shared<CurveSet>();
   std::vector<bool> is_on_contour(data.positions.size(), false);

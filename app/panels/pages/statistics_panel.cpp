@@ -42,7 +42,7 @@ std::string text_of_stat(const StatValue& value) {
   return number != nullptr && *number >= 0 ? grouped(static_cast<std::size_t>(*number)) : to_text(value);
 }
 
-/// The name and the value on one line, or on lines below each other if there is no room for that.
+/// Draws name and value on one line. A value that does not fit beside its name stands below it.
 void draw_stat(const Gui& gui, const Stat& stat) {
   const float unit = gui.unit();
   const float right = ImGui::GetContentRegionMax().x;

@@ -195,7 +195,7 @@ template <const char* const& kDriver>
 Expected<LineText> lines_by_gdal(std::span<const TextLine> lines) {
   const std::optional<MapPlane> map = lines.empty() ? std::nullopt : lines.front().map;
   const bool is_one_system = std::ranges::all_of(lines, [&](const TextLine& line) {
-    return is_of_map(line) == is_of_map(lines.front()) && (!line.map || line.map->system == map->system);
+    return is_of_map(line) == is_of_map(lines.front()) && (!is_of_map(line) || line.map->system == map->system);
   });
   // From WGS 84 GDAL comes back by an operation of its own choice, in New York to a place a metre away.
   const MapTarget target = is_one_system ? MapTarget::own_system : MapTarget::wgs84;

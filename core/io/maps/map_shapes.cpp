@@ -430,7 +430,7 @@ std::size_t MapShapes::polygons_inside() const {
     }
     return is_inside;
   };
-  constexpr int kMostAsked = 16;  // where more polygons lie one in the other, their boxes are nested as well
+  constexpr int kMostAsked = 16;  // bounds the cost where many boxes lie around one
   std::size_t out = 0;
   for (std::size_t i = 0; i < polygons.size(); ++i) {
     const Box2& box = polygons[i].box;

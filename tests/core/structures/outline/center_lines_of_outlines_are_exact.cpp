@@ -4,38 +4,26 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
-#include <memory>
-#include <numeric>
 #include <vector>
 
 #include "core/base/rng.h"
 #include "core/curves/curve.h"
 #include "core/structures/outline/outline_center_lines.h"
+#include "tests/core/structures/outline/outline_bench.h"
 #include "tests/support/pi.h"
-#include "tests/support/workbench.h"
 
 using namespace mes;
 using namespace mes::test;
 
 namespace {
 
-using Polygon = std::vector<Vec2>;
+using Polygon = Ring;
 
-struct OutlineBench : TestBench {
-  explicit OutlineBench(const std::vector<Polygon>& polygons) {
-    SampleData data;
-    for (const Polygon& polygon : polygons) {
-      SampleData::Contour& contour = data.contours.emplace_back();
-      contour.points.resize(polygon.size());
-      std::iota(contour.points.begin(), contour.points.end(), static_cast<std::uint32_t>(data.positions.size()));
-      data.positions.insert(data.positions.end(), polygon.begin(), polygon.end());
-    }
-    show({"outline-axis"});
-    load(data);
-  }
+struct OutlineBench : AxisBench {
+  explicit OutlineBench(const std::vector<Polygon>& polygons) : AxisBench(data_of_rings(polygons)) {}
   CenterLines lines(const CenterLineRequest& request = {}) {
     JobControl job;
-    return center_lines_of(get<OutlineAxis>(), request, job);
+    return center_lines_of(axis(), request, job);
   }
 };
 
