@@ -74,8 +74,8 @@ Layer make_outline_axis_layer(const StructureSet& set) {
   return make_layer(
       {.id = "outline-axis",
        .name = "Axis of the outline",
-       .tooltip = "Exact medial axis of the contours or curves inside them, without samples: straight edges and arcs "
-                  "of parabolas",
+       .tooltip = "Exact medial axis of the contours or curves inside them, without samples: straight and curved "
+                  "edges",
        .group = LayerGroup::crust_axis,
        .scalar = "radius",
        .style = {.color = palette::green, .line_width_px = 1.5},

@@ -727,6 +727,7 @@ class _OutlineAxisFeatures(Table):
     from_: NDArray[np.float64]
     to: NDArray[np.float64]
     is_vertex: NDArray[np.bool_]
+    center: NDArray[np.float64]
 
 class _OutlineAxisEdges(Table):
     nodes: NDArray[np.uint32]

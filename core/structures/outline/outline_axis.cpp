@@ -2,6 +2,7 @@
 #include "core/structures/outline/outline_axis.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <cstdint>
@@ -13,6 +14,7 @@
 #include "core/base/geometry/parabola_arc.h"
 #include "core/base/jobs/parallel.h"
 #include "core/graph/explain.h"
+#include "core/structures/outline/internal/near_feature.h"
 #include "core/structures/outline/internal/outline_parts.h"
 #include "core/structures/outline/internal/segment_voronoi.h"
 #include "core/structures/outline/outline_sides.h"
@@ -44,7 +46,7 @@ std::optional<OutlineAxis::Parabola> OutlineAxis::parabola(OutlineEdgeSlot slot)
   const OutlineFeature* focus = &graph_.features[edge.features[0]];
   const OutlineFeature* side = &graph_.features[edge.features[1]];
   if (!focus->is_point()) std::swap(focus, side);
-  if (!focus->is_point() || side->is_point()) return std::nullopt;
+  if (!focus->is_point() || side->is_point() || focus->center || side->center) return std::nullopt;
   const Vec2 line = side->to - side->from;
   const Vec2 along = (1.0 / length(line)) * line;
   const double height = cross(along, focus->from - side->from);
@@ -59,11 +61,42 @@ std::optional<OutlineAxis::Parabola> OutlineAxis::parabola(OutlineEdgeSlot slot)
   return out;
 }
 
+bool OutlineAxis::is_parabola(OutlineEdgeSlot edge) const {
+  return parabola(edge).has_value();
+}
+
 std::optional<Vec2> OutlineAxis::control(OutlineEdgeSlot edge) const {
   const std::optional<Parabola> arc = parabola(edge);
-  if (!arc) return std::nullopt;
+  if (!arc) return control_beside_curve(edge);
   const double height = 0.5 * (arc->first * (arc->last / arc->h) + arc->h);
   return arc->foot + (0.5 * arc->first + 0.5 * arc->last) * arc->along + height * arc->up;
+}
+
+// The tangents at both ends meet in the control point. A tangent is at right angles to the difference of the gradients of
+// both distances, which are equal along the edge.
+std::optional<Vec2> OutlineAxis::control_beside_curve(OutlineEdgeSlot slot) const {
+  const OutlineEdge& edge = graph_.edges[slot];
+  const OutlineFeature& one = graph_.features[edge.features[0]];
+  const OutlineFeature& other = graph_.features[edge.features[1]];
+  if (!one.center && !other.center) return std::nullopt;
+  const Vec2 origin = graph_.nodes[edge.nodes[0]].center;
+  const Vec2 end = graph_.nodes[edge.nodes[1]].center - origin;
+  const std::array near{NearFeature::of(one, origin), NearFeature::of(other, origin)};
+  const auto tangent_at = [&](Vec2 place) {
+    std::array<Vec2, 2> gradients{};
+    for (std::size_t i = 0; i < 2; ++i)
+      gradients[i] = near[i].gradient(place, near[i].signed_distance(0.5 * end) < 0.0);
+    if (gradients[0] == Vec2{} || gradients[1] == Vec2{}) return Vec2{};
+    return perpendicular(gradients[0] - gradients[1]);
+  };
+  const Vec2 first = tangent_at({});
+  const Vec2 last = tangent_at(end);
+  const double area = cross(first, last);
+  constexpr double kStraight = 1e-6;
+  if (!(std::abs(area) > kStraight * length(first) * length(last))) return std::nullopt;
+  const Vec2 control = (cross(end, last) / area) * first;
+  if (!(dot(control, end) > 0.0 && dot(end - control, end) > 0.0)) return std::nullopt;
+  return origin + control;
 }
 
 void OutlineAxis::add_pieces(OutlineEdgeSlot slot) {
@@ -74,7 +107,12 @@ void OutlineAxis::add_pieces(OutlineEdgeSlot slot) {
     pieces_.push_back({at.center, next.center, at.radius, next.radius, slot});
     at = next;
   };
-  if (const std::optional<Parabola> arc = parabola(slot)) {
+  if (const std::optional<Vec2> curve = control_beside_curve(slot)) {
+    const NearFeature near = NearFeature::of(graph_.features[edge.features[0]], at.center);
+    const Vec2 origin = at.center;
+    const std::vector<Vec2> corners = corners_of(ParabolaArc{at.center, *curve, last.center});
+    for (std::size_t i = 1; i + 1 < corners.size(); ++i) go_to({corners[i], near.distance(corners[i] - origin)});
+  } else if (const std::optional<Parabola> arc = parabola(slot)) {
     for_each_slope_between(arc->first / arc->h, arc->last / arc->h, [&](double slope) {
       const double x = arc->h * slope;
       go_to({arc->at(x), arc->radius(x)});
@@ -172,7 +210,7 @@ bool OutlineAxis::update(JobControl&) {
 
 StatList OutlineAxis::statistics() const {
   const auto parabolas =
-      std::ranges::count_if(graph_.edges.rows(), [this](OutlineEdgeSlot edge) { return parabola(edge).has_value(); });
+      std::ranges::count_if(graph_.edges.rows(), [this](OutlineEdgeSlot edge) { return is_parabola(edge); });
   StatList out{{"edges", static_cast<std::int64_t>(graph_.edges.size())},
                {"parabolas", static_cast<std::int64_t>(parabolas)},
                {"nodes", static_cast<std::int64_t>(graph_.nodes.size())},
@@ -196,8 +234,10 @@ void OutlineAxis::explain(ElementKind kind, RowNumber row, Explanation& out) con
   else
     itself.segment(first.center, last.center);
   out.say_itself("Edge of the axis of the outline",
-                 std::string(arc ? ", an arc of a parabola" : ", straight") + ", radius " +
-                     number_text(first.radius) + " to " + number_text(last.radius),
+                 std::string(is_parabola(slot) ? ", an arc of a parabola"
+                             : arc             ? ", curved"
+                                               : ", straight") +
+                     ", radius " + number_text(first.radius) + " to " + number_text(last.radius),
                  itself);
   ProvenanceShapes sides;
   ProvenanceShapes vertices;

@@ -9,11 +9,16 @@
 // Guarantees:
 //  1. Edges lie where the axis of the straight sides has edges: this is decided exactly, also for sides that cross,
 //     touch, or have common parts. Positions are rounded (internal/segment_voronoi.h).
-//  2. An edge between a side and a vertex is an arc of a parabola; all others are straight. `control` is the exact
-//     control point of the arc as a quadratic Bézier curve, up to rounding.
-//  3. Curved pieces are replaced by chords, at most `outline_tolerance` away. Edges between neighbouring chords, which
-//     lead to vertices that the curve does not have, are left out. So the axis ends near centres of curvature.
-//  4. The axis depends on the outline as a set, not on samples between vertices or on the order of contours.
+//  2. An edge between a straight side and a vertex is an arc of a parabola. `control` is the exact control point of the
+//     arc as a quadratic Bézier curve, up to rounding. Other edges between straight sides and vertices are straight.
+//  3. Curved pieces are replaced by arcs of circles, and their chords, at most `outline_tolerance` away, decide which
+//     edges there are. Edges between neighbouring chords, which lead to vertices that the curve does not have, are left
+//     out. Nodes beside arcs of circles are right up to rounding; beside other curves they are within the tolerance,
+//     mostly within a hundredth of it. An axis that ends in the middle of a smooth curve ends at its centre of
+//     curvature, and that of a disk is a node without edges.
+//  4. An edge beside a curve has tangents at its ends as the bisector has them; between, it leaves the bisector by at
+//     most 1/1024 of the radius there.
+//  5. The axis depends on the outline as a set, not on samples between vertices or on the order of contours.
 //
 // Cost: O(n log n) for n sides, some 50 us a side, on all cores where the outline has independent parts
 // (internal/outline_parts.h), such as the houses of a town. A change of the outline computes the parts again that it
@@ -48,7 +53,7 @@ class OutlineAxis final : public Structure {
   const OutlineGraph& graph() const { return graph_; }
   /// Edge by edge, from its first node to its second.
   const Table<OutlinePieceSlot, OutlinePiece>& pieces() const { return pieces_; }
-  /// Control point of an edge that is an arc of a parabola; nothing for straight edges.
+  /// Control point of an edge that is an arc of a parabola, or is nearly one beside a curve; nothing for straight edges.
   std::optional<Vec2> control(OutlineEdgeSlot edge) const;
   const ChangeSet<OutlineEdgeSlot>& changes() const { return no_changes<OutlineEdgeSlot>(); }
 
@@ -69,6 +74,8 @@ class OutlineAxis final : public Structure {
     OutlineGraphPart end{};
   };
   std::optional<Parabola> parabola(OutlineEdgeSlot edge) const;
+  bool is_parabola(OutlineEdgeSlot edge) const;
+  std::optional<Vec2> control_beside_curve(OutlineEdgeSlot edge) const;
   void add_pieces(OutlineEdgeSlot edge);
 
   CurveSourceInput& source_;

@@ -15,7 +15,7 @@ namespace mes {
 namespace {
 
 Bank bank_of(const OutlineFeature& feature) {
-  return {.sample = feature.from, .neighbours = {feature.to, feature.to}, .is_side = true};
+  return {.sample = feature.from, .neighbours = {feature.to, feature.to}, .is_side = true, .center = feature.center};
 }
 
 /// The edges of the axis, those between junctions as one branch. Each edge that leads to the outline has an end of its own

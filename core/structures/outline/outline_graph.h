@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "core/base/slot.h"
@@ -22,6 +23,7 @@ struct OutlineFeature {
   Vec2 from{};  ///< the point, or the ends of the side; for the parts of a crossed side, those of the whole side
   Vec2 to{};
   SmoothPlace smooth{};
+  std::optional<Vec2> center{};  ///< of the circle of a round side, and of one beside a vertex of a smooth curve
   bool is_point() const { return from == to; }
 };
 

@@ -40,24 +40,56 @@ double distance_from_chord(Vec2 p, Vec2 from, Vec2 to) {
   return size > 0.0 ? std::abs(cross(along, p - from)) / size : distance(p, from);
 }
 
-/// Adds the ends of chords of a curved piece, all but its start.
-void add_chords(const Piece& piece, double tolerance, int halvings, std::vector<Vec2>& out) {
-  const bool is_straight = std::ranges::all_of(std::array{0.25, 0.5, 0.75}, [&](double t) {
-    return distance_from_chord(piece.at(t), piece.from(), piece.to()) <= tolerance;
-  });
+/// The centre of the circle of an arc, or nothing for one of an ellipse.
+std::optional<Vec2> center_of_circle(const Piece& piece) {
+  if (piece.kind != PieceKind::arc) return std::nullopt;
+  const EllipticArc& arc = piece.arc;
+  const double size = dot(arc.u, arc.u);
+  const double error = std::max(std::abs(dot(arc.u, arc.v)), std::abs(size - dot(arc.v, arc.v)));
+  return error <= 0x1p-40 * size ? std::optional(arc.center) : std::nullopt;
+}
+
+/// The centre of the circle through three points, or nothing if they nearly lie on a line.
+std::optional<Vec2> center_through(Vec2 from, Vec2 middle, Vec2 to) {
+  const Vec2 a = from - middle;
+  const Vec2 b = to - middle;
+  const double area = cross(a, b);
+  constexpr double kFlat = 1e-6;
+  if (!(std::abs(area) > kFlat * dot(b - a, b - a))) return std::nullopt;
+  return middle + (0.5 / area) * Vec2{dot(a, a) * b.y - dot(b, b) * a.y, dot(b, b) * a.x - dot(a, a) * b.x};
+}
+
+/// A chord from where the one before ends.
+struct Chord {
+  Vec2 to{};
+  std::optional<Vec2> center{};  ///< of the circle that it stands for
+};
+
+/// Adds the chords of a curved piece.
+void add_chords(const Piece& piece, double tolerance, int halvings, std::vector<Chord>& out) {
+  std::optional<Vec2> center = center_of_circle(piece);
+  if (!center) center = center_through(piece.from(), piece.at(0.5), piece.to());
+  const auto is_near = [&](double t) {
+    constexpr double kArc = 1.0 / 64.0;  // arcs follow curves better than chords do
+    const double from_chord = distance_from_chord(piece.at(t), piece.from(), piece.to());
+    const double from_arc =
+        center ? std::abs(distance(piece.at(t), *center) - distance(piece.from(), *center)) : from_chord;
+    return from_chord <= tolerance && from_arc <= kArc * tolerance;
+  };
+  const bool is_straight = std::ranges::all_of(std::array{0.25, 0.5, 0.75}, is_near);
   if (halvings == 0 || (is_straight && go_on(piece.first_direction(), piece.last_direction()))) {
-    out.push_back(piece.to());
+    out.push_back({piece.to(), center});
     return;
   }
   add_chords(piece.part(0.0, 0.5), tolerance, halvings - 1, out);
   add_chords(piece.part(0.5, 1.0), tolerance, halvings - 1, out);
 }
 
-/// Adds the ends of the chords that stand for a piece, all but its start.
-void add_chords_of(const Piece& piece, double tolerance, std::vector<Vec2>& out) {
+/// Adds the chords that stand for a piece.
+void add_chords_of(const Piece& piece, double tolerance, std::vector<Chord>& out) {
   constexpr int kMostHalvings = 12;
   if (piece.kind == PieceKind::line)
-    out.push_back(piece.to());
+    out.push_back({piece.to()});
   else
     add_chords(piece, tolerance, kMostHalvings, out);
 }
@@ -288,12 +320,12 @@ OutlineFaults faults_of_outlines(std::span<const PlaneCurve> curves, JobControl&
       const bool is_forward = lexicographically_less(from, to);
       own.push_back({is_forward ? from : to, is_forward ? to : from, is_forward});
     };
-    std::vector<Vec2> ends;
+    std::vector<Chord> chords;
     for (const Piece& piece : pieces) {
-      ends.clear();
-      add_chords_of(piece, tolerance, ends);
+      chords.clear();
+      add_chords_of(piece, tolerance, chords);
       Vec2 at = piece.from();
-      for (const Vec2 end : ends) add(std::exchange(at, end), end);
+      for (const Chord& chord : chords) add(std::exchange(at, chord.to), chord.to);
     }
     std::ranges::sort(own, by_ends);
     const auto are_equal = [](const OutlineSide& a, const OutlineSide& b) {
@@ -325,14 +357,14 @@ double outline_tolerance(std::span<const PlaneCurve> curves) {
   return box.is_empty() ? 0.0 : 0x1p-14 * std::max(box.width(), box.height());
 }
 
-void OutlineSides::add(Vec2 from, Vec2 to, bool is_of_closed_contour, const SmoothPlace& smooth) {
-  if (from == to) return;
-  if (lexicographically_less(to, from)) std::swap(from, to);
-  sides_.push_back({from, to, is_of_closed_contour, smooth});
+void OutlineSides::add(OutlineSide side) {
+  if (side.from == side.to) return;
+  if (lexicographically_less(side.to, side.from)) std::swap(side.from, side.to);
+  sides_.push_back(side);
 }
 
 void OutlineSides::add(Vec2 from, Vec2 to, bool is_of_closed_contour) {
-  add(from, to, is_of_closed_contour, SmoothPlace{});
+  add(OutlineSide{.from = from, .to = to, .separates = is_of_closed_contour});
 }
 
 void OutlineSides::add(std::span<const PlaneCurve> curves, double tolerance) {
@@ -355,17 +387,17 @@ void OutlineSides::add(std::span<const Piece> pieces, bool is_closed, double tol
   const bool is_round = first == count;
   const std::size_t begin = sides_.size();
   SmoothPlace place{.stretch = stretches_++};
-  std::vector<Vec2> ends;
+  std::vector<Chord> chords;
   for (std::size_t k = 0; k < count; ++k) {
     const std::size_t i = (first + k) % count;
     const Piece& piece = pieces[i];
-    ends.clear();
-    add_chords_of(piece, tolerance, ends);
+    chords.clear();
+    add_chords_of(piece, tolerance, chords);
     Vec2 at = piece.from();
-    for (const Vec2 end : ends) {
-      add(at, end, is_closed, place);
-      if (at != end) place.number += 2;
-      at = end;
+    for (const Chord& chord : chords) {
+      add({at, chord.to, is_closed, place, chord.center});
+      if (at != chord.to) place.number += 2;
+      at = chord.to;
     }
     if (!goes_on_after(i)) place = {.stretch = stretches_++};
   }
@@ -449,7 +481,7 @@ void OutlineSides::split(std::vector<Cut> cuts, Cuts where) {
     const auto go_to = [&](Vec2 next) {
       if (next == at) return;
       const auto [from, to] = std::minmax(at, next, lexicographically_less);
-      pieces.push_back({from, to, side.separates, side.smooth});
+      pieces.push_back({from, to, side.separates, side.smooth, side.center});
       at = next;
     };
     for (; k < cuts.size() && cuts[k].first == i; ++k) go_to(cuts[k].second);
@@ -465,10 +497,14 @@ void OutlineSides::merge() {
   std::ranges::stable_sort(sides_, by_ends);
   std::vector<OutlineSide> out;
   for (const OutlineSide& side : sides_) {
-    if (out.empty() || by_ends(out.back(), side))
+    if (out.empty() || by_ends(out.back(), side)) {
       out.push_back(side);
-    else
-      out.back().separates = out.back().separates != side.separates;
+      continue;
+    }
+    OutlineSide& same = out.back();
+    same.separates = same.separates != side.separates;
+    const bool is_less = same.center && (!side.center || lexicographically_less(*side.center, *same.center));
+    if (is_less) same.center = side.center;
   }
   sides_.swap(out);
 }

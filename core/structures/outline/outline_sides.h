@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The outline of a document as straight sides.
+// The outline of a document as straight sides, some of which stand for arcs.
 //
 // Guarantees:
 //  1. Sides are different, and two of them have at most one point in common: an end of both.
@@ -14,6 +14,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -42,6 +43,7 @@ struct OutlineSide {
   Vec2 to{};
   bool separates = false;  ///< an odd number of closed contours runs along it
   SmoothPlace smooth{};
+  std::optional<Vec2> center{};  ///< the side stands for an arc of the circle through its ends about this
   friend bool operator==(const OutlineSide&, const OutlineSide&) = default;
 };
 
@@ -49,8 +51,9 @@ struct OutlineSide {
 class OutlineSides {
  public:
   void add(Vec2 from, Vec2 to, bool is_of_closed_contour);
-  /// Curved pieces become chords that leave them by at most `tolerance` and turn by at most 1/16. A closed curve that
-  /// goes around several times in the same way counts once, and so do closed curves that are the same in the same
+  /// Curved pieces become chords that leave them by at most `tolerance` and turn by at most 1/16, with the circle that
+  /// they are on, or else the one through the ends of the chord and the middle of the curve between them. A closed curve
+  /// that goes around several times in the same way counts once, and so do closed curves that are the same in the same
   /// direction.
   void add(std::span<const PlaneCurve> curves, double tolerance);
   /// Splits sides where others end on them or cross them, merges equal ones, and sorts them by their ends. Throws
@@ -61,7 +64,7 @@ class OutlineSides {
   std::size_t crossings() const { return crossings_; }
 
  private:
-  void add(Vec2 from, Vec2 to, bool is_of_closed_contour, const SmoothPlace& smooth);
+  void add(OutlineSide side);
   void add(std::span<const Piece> pieces, bool is_closed, double tolerance);
 
   using Cut = std::pair<std::uint32_t, Vec2>;  // a side, and a point that splits it

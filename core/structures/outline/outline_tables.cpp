@@ -15,20 +15,24 @@ std::vector<TableColumns> OutlineAxis::table_columns() const {
   features.computed("is_vertex", "A vertex, or a point where two sides cross",
                     [this](OutlineFeatureSlot row) { return graph_.features[row].is_point(); });
 
+  features.computed("center", "Centre of the circle that a curved side is an arc of; no number for straight ones",
+                    [this](OutlineFeatureSlot row) {
+                      return graph_.features[row].center.value_or(Vec2{kNoValue, kNoValue});
+                    });
+
   TableMaker<OutlineNodeSlot> nodes("nodes", "Ends of edges", graph_.nodes.size(), always);
   nodes.column("center", "Point of the axis", graph_.nodes, &OutlineNode::center);
   nodes.column("radius", "Distance from the outline; 0 at a corner", graph_.nodes, &OutlineNode::radius);
 
-  TableMaker<OutlineEdgeSlot> edges("edges", "Edges of the axis, straight or arcs of parabolas", graph_.edges.size(),
-                                    always);
+  TableMaker<OutlineEdgeSlot> edges("edges", "Edges of the axis, straight or curved", graph_.edges.size(), always);
   edges.set_kind(ElementKind::axis_piece);
   edges.reference("nodes", "Both ends", graph_.edges, &OutlineEdge::nodes, table_name(id(), "nodes"));
   edges.reference("features", "Nearest vertices or sides of the outline", graph_.edges, &OutlineEdge::features,
                   table_name(id(), "features"));
   edges.column("region", "Number of the region, from 0", graph_.edges, &OutlineEdge::region);
   edges.computed("is_parabola", "The edge is an arc of a parabola",
-                 [this](OutlineEdgeSlot row) { return control(row).has_value(); });
-  edges.computed("control", "Control point of the arc as a quadratic Bézier curve; no number for straight edges",
+                 [this](OutlineEdgeSlot row) { return is_parabola(row); });
+  edges.computed("control", "Control point of the edge as a quadratic Bézier curve; no number for straight edges",
                  [this](OutlineEdgeSlot row) {
                    return control(row).value_or(Vec2{kNoValue, kNoValue});
                  });

@@ -106,6 +106,11 @@ void move_beads(const std::vector<Bead>& beads, bool is_closed, double share, st
 }  // namespace
 
 Vec2 foot_on(const Bank& bank, Vec2 place) {
+  if (bank.center) {
+    const Vec2 way = place - *bank.center;
+    const double size = length(way);
+    return size > 0.0 ? *bank.center + (distance(bank.sample, *bank.center) / size) * way : bank.sample;
+  }
   const Vec2 a = nearest_on_segment(bank.sample, bank.neighbours[0], place);
   const Vec2 b = nearest_on_segment(bank.sample, bank.neighbours[1], place);
   return distance(a, place) <= distance(b, place) ? a : b;

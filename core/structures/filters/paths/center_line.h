@@ -34,6 +34,7 @@ struct Bank {
   Vec2 sample{};                     ///< or an end of a side
   std::array<Vec2, 2> neighbours{};  ///< the sample itself where the curve ends or branches; the other end of a side
   bool is_side = false;              ///< the ball touches the side, not a sample
+  std::optional<Vec2> center{};      ///< the side stands for an arc of the circle through `sample` about this
 };
 Vec2 foot_on(const Bank& bank, Vec2 place);
 /// Radius of the ball about a point of the axis next to the bank.

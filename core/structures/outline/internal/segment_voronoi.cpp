@@ -10,7 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <map>
 #include <optional>
 #include <tuple>
 #include <unordered_map>
@@ -18,6 +18,7 @@
 
 #include "core/base/disjoint_sets.h"
 #include "core/base/geometry/box2.h"
+#include "core/structures/outline/internal/near_feature.h"
 #include "core/structures/triangulation/hilbert.h"
 
 namespace mes {
@@ -39,7 +40,6 @@ using Roots = CGAL::Simple_cartesian<CORE::Expr>;
 using ExactTraits = CGAL::Segment_Delaunay_graph_traits_without_intersections_2<Roots, CGAL::Field_with_sqrt_tag>;
 
 constexpr std::uint32_t kNoRegion = 0xffffffffU;
-constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 
 Vec2 vec_of(const Doubles::Point_2& p) {
   return {p.x(), p.y()};
@@ -128,13 +128,16 @@ class InnerVoronoi {
       return key(a) < key(b);
     });
     for (const auto& [is_segment, x, y, to_x, to_y, vertex] : order) {
-      OutlineFeature feature{{x, y}, {to_x, to_y}, {}};
+      OutlineFeature feature{.from = {x, y}, .to = {to_x, to_y}};
       bool separates = false;
       if (is_segment) {
         const OutlineSide& side = sides_[side_between(feature.from, feature.to)];
         feature.smooth = side.smooth;
+        if (side.center) feature.center = scaled(*side.center);
         separates = side.separates;
       }
+      if (is_segment && feature.center)
+        chord_.try_emplace(std::pair(feature.smooth.stretch, feature.smooth.number), out_.features.next());
       feature_.emplace(&*vertex, out_.features.next());
       out_.features.push_back(feature);
       separates_.push_back(separates);
@@ -157,7 +160,7 @@ class InnerVoronoi {
   /// The ends of each side, and what lies next to an end along a smooth curve.
   void find_ends() {
     ends_.resize(out_.features.size());
-    Table<OutlineFeatureSlot, std::vector<SmoothPlace>> beside(out_.features.size());
+    Table<OutlineFeatureSlot, std::vector<OutlineFeatureSlot>> beside(out_.features.size());
     for (auto v = graph_.finite_vertices_begin(); v != graph_.finite_vertices_end(); ++v) {
       if (!v->is_segment()) continue;
       auto& ends = ends_[feature(v)];
@@ -171,21 +174,23 @@ class InnerVoronoi {
         if (at != side.from && at != side.to) continue;
         if (ends[0] == point || ends[1] == point) continue;
         ends[ends[0] == kNoSlot ? 0 : 1] = point;
-        beside[point].push_back(out_.features[feature(v)].smooth);
+        beside[point].push_back(feature(v));
       } while (++neighbour != first);
     }
     for (const OutlineFeatureSlot i : beside.rows()) {
       if (beside[i].size() != 2) continue;
-      const SmoothPlace& a = beside[i][0];
-      const SmoothPlace& b = beside[i][1];
-      if (a.stretch == SmoothPlace::kNone || a.stretch != b.stretch) continue;
-      const std::uint32_t low = std::min(a.number, b.number);
-      const std::uint32_t high = std::max(a.number, b.number);
-      SmoothPlace& place = out_.features[i].smooth;
-      if (high - low == 2)
-        place = {a.stretch, low + 1, a.count};
-      else if (a.count != 0 && high - low + 2 == a.count)
-        place = {a.stretch, high + 1, a.count};
+      std::ranges::sort(beside[i]);
+      const OutlineFeature& a = out_.features[beside[i][0]];
+      const OutlineFeature& b = out_.features[beside[i][1]];
+      if (a.smooth.stretch == SmoothPlace::kNone || a.smooth.stretch != b.smooth.stretch) continue;
+      const std::uint32_t low = std::min(a.smooth.number, b.smooth.number);
+      const std::uint32_t high = std::max(a.smooth.number, b.smooth.number);
+      const std::uint32_t count = a.smooth.count;
+      const bool is_at_beginning = count != 0 && high - low + 2 == count;
+      if (high - low != 2 && !is_at_beginning) continue;
+      OutlineFeature& point = out_.features[i];
+      point.smooth = {a.smooth.stretch, (is_at_beginning ? high : low) + 1, count};
+      point.center = a.center ? a.center : b.center;
     }
   }
 
@@ -303,6 +308,24 @@ class InnerVoronoi {
     return out;
   }
 
+  /// The centre of an arc of which two features of one smooth curve are parts, or one is and the other is a straight side
+  /// that continues it. Inside, these are equally far from no other point; the chords have edges there instead.
+  static std::optional<OutlineNode> center_of_arc(const OutlineFeature& a, const OutlineFeature& b) {
+    if (a.smooth.stretch == SmoothPlace::kNone || a.smooth.stretch != b.smooth.stretch) return std::nullopt;
+    const OutlineFeature& arc = a.center ? a : b;
+    const OutlineFeature& other = a.center ? b : a;
+    if (!arc.center) return std::nullopt;
+    const Vec2 center = *arc.center;
+    const double radius = distance(arc.from, center);
+    const double error = other.center ? distance(*other.center, center)
+                                      : std::abs(NearFeature::of(other, center).distance({}) - radius);
+    constexpr double kExactly = 0x1p-20;  // drawings are often rounded
+    return error <= kExactly * radius ? std::optional(OutlineNode{center, radius}) : std::nullopt;
+  }
+  bool lies_about(Face f, const OutlineNode& center) const {
+    return distance(node_of_chords(f, features(f)).center, center.center) <= 0.25 * center.radius;
+  }
+
   void collect() {
     struct Kept {
       std::array<OutlineFeatureSlot, 2> features;
@@ -310,6 +333,7 @@ class InnerVoronoi {
       GraphFaceSlot region;
     };
     std::vector<Kept> kept;
+    std::vector<std::pair<GraphFaceSlot, OutlineNode>> centers;
     DisjointSets<GraphFaceSlot> same(face_.size());
     std::size_t done = 0;
     for (auto e = graph_.finite_edges_begin(); e != graph_.finite_edges_end(); ++e) {
@@ -330,9 +354,17 @@ class InnerVoronoi {
       }
       const OutlineFeature& first = out_.features[feature(a)];
       const OutlineFeature& second = out_.features[feature(b)];
+      if (const auto center = center_of_arc(first, second);
+          center && lies_about(f, *center) && lies_about(g, *center)) {
+        same.join(same.root(face(f)), same.root(face(g)));
+        centers.emplace_back(face(f), *center);
+        continue;
+      }
       if (!first.smooth.is_next_to(second.smooth) && !are_a_sliver(first, second))
         kept.push_back({{feature(a), feature(b)}, {face(f), face(g)}, region});
     }
+    Table<GraphFaceSlot, std::optional<OutlineNode>> arc_center(centers.empty() ? 0 : face_.size());
+    for (const auto& [at, center] : centers) arc_center[same.root(at)] = center;
     // The least triple of features stands for a node, and puts nodes and edges in order.
     Table<GraphFaceSlot, Face> least(face_.size());
     Table<GraphFaceSlot, Triple> triple(face_.size());
@@ -343,9 +375,10 @@ class InnerVoronoi {
       least[node] = f;
       triple[node] = own;
     }
+    Table<GraphFaceSlot, std::uint32_t> edges_at(face_.size(), 0);
     for (Kept& edge : kept) {
       std::ranges::sort(edge.features);
-      for (GraphFaceSlot& node : edge.nodes) node = same.root(node);
+      for (GraphFaceSlot& node : edge.nodes) ++edges_at[node = same.root(node)];
       if (triple[edge.nodes[1]] < triple[edge.nodes[0]]) std::swap(edge.nodes[0], edge.nodes[1]);
     }
     std::ranges::sort(kept, [&](const Kept& a, const Kept& b) {
@@ -360,14 +393,30 @@ class InnerVoronoi {
       for (const GraphFaceSlot end : edge.nodes) {
         if (node[end] != kNoSlot) continue;
         node[end] = out_.nodes.next();
-        out_.nodes.push_back(node_at(least[end], triple[end]));
+        if (!centers.empty() && arc_center[end])
+          out_.nodes.push_back(*arc_center[end]);
+        else if (edges_at[end] == 1)
+          out_.nodes.push_back(end_at(least[end], triple[end], edge.features));
+        else
+          out_.nodes.push_back(node_at(least[end], triple[end]));
       }
       if (region[edge.region] == kNoRegion) region[edge.region] = regions++;
       out_.edges.push_back({{node[edge.nodes[0]], node[edge.nodes[1]]}, edge.features, region[edge.region]});
     }
+    // The axis of a circle is its centre alone.
+    std::ranges::sort(centers, {}, [&](const auto& own) { return triple[same.root(own.first)]; });
+    for (const auto& [at, center] : centers) {
+      const GraphFaceSlot end = same.root(at);
+      const GraphFaceSlot inside = region_[at];
+      if (node[end] != kNoSlot || inside == kNoSlot || region[inside] != kNoRegion) continue;
+      node[end] = out_.nodes.next();
+      out_.nodes.push_back(center);
+      region[inside] = regions++;
+    }
     for (OutlineFeature& feature : out_.features) {
       feature.from = (1.0 / unit_) * feature.from;
       feature.to = (1.0 / unit_) * feature.to;
+      if (feature.center) feature.center = (1.0 / unit_) * *feature.center;
     }
     for (OutlineNode& place : out_.nodes) {
       place.center = (1.0 / unit_) * place.center;
@@ -375,38 +424,111 @@ class InnerVoronoi {
     }
   }
 
-  /// A feature as it lies around a node: a point, or the line through a side.
-  struct Near {
-    Vec2 at{};
-    Vec2 normal{};  ///< unit vector; zero for a point
-    bool is_line() const { return normal != Vec2{}; }
-    double distance(Vec2 p) const { return is_line() ? std::abs(dot(normal, p - at)) : length(p - at); }
-    Vec2 gradient(Vec2 p) const {
-      if (is_line()) return dot(normal, p - at) < 0.0 ? -normal : normal;
-      const double size = length(p - at);
-      return size > 0.0 ? (1.0 / size) * (p - at) : Vec2{};
-    }
-  };
-  Near near_of(OutlineFeatureSlot slot, Vec2 origin) const {
-    const OutlineFeature& feature = out_.features[slot];
-    const Vec2 from = feature.from - origin;
-    if (feature.is_point()) return {from, {}};
-    const Vec2 to = feature.to - origin;
-    const Vec2 along = feature.to - feature.from;
-    return {dot(from, from) < dot(to, to) ? from : to, (1.0 / length(along)) * perpendicular(along)};
-  }
-
   /// `around` are the features of the face. Positions count from one of them: far from the origin of the plane, as on a
   /// map, errors of rounding in the construction exceed the width of a thin shape.
   OutlineNode node_at(Face f, const Triple& around) const {
+    OutlineNode node = node_of_chords(f, around);
+    const Vec2 origin = out_.features[around[0]].from;
+    if (const auto moved = on_curves({node.center - origin, node.radius}, origin, around))
+      node = {origin + moved->center, moved->radius};
+    return node;
+  }
+  OutlineNode node_of_chords(Face f, const Triple& around) const {
     if (const OutlineFeatureSlot p = meeting_point(f); p != kNoSlot) return {out_.features[p].from, 0.0};
     const Vec2 origin = out_.features[around[0]].from;
     const OutlineNode node = node_from(origin, around);
     return {origin + node.center, node.radius};
   }
+
+  /// A node at which a single edge ends, of these two features. In the middle of a smooth curve that is the centre of
+  /// curvature where the curve turns most; it is interpolated between the circles of three chords.
+  OutlineNode end_at(Face f, const Triple& around, const std::array<OutlineFeatureSlot, 2>& beside) const {
+    const OutlineNode usual = node_at(f, around);
+    const auto is_beside = [&](OutlineFeatureSlot i) { return i == beside[0] || i == beside[1]; };
+    const SmoothPlace& place = out_.features[*std::ranges::find_if_not(around, is_beside)].smooth;
+    const auto is_next = [&](OutlineFeatureSlot i) { return out_.features[i].smooth.is_next_to(place); };
+    if (std::ranges::count_if(around, is_beside) != 2 || !std::ranges::all_of(beside, is_next)) return usual;
+    // Circle of the chord at a distance along the curve, where the node is inside.
+    const auto circle = [&](std::int64_t steps) -> std::optional<OutlineNode> {
+      const std::int64_t number = place.number + steps;
+      const std::int64_t count = place.count;
+      const auto chord =
+          chord_.find({place.stretch, static_cast<std::uint32_t>(count == 0 ? number : (number + count) % count)});
+      if (chord == chord_.end() || !out_.features[chord->second].center) return std::nullopt;
+      const OutlineFeature& feature = out_.features[chord->second];
+      const double radius = distance(feature.from, *feature.center);
+      if (distance(*feature.center, usual.center) > radius) return std::nullopt;
+      return OutlineNode{*feature.center, radius};
+    };
+    constexpr std::int64_t kReach = 4;  // see SmoothPlace::is_next_to
+    std::optional<OutlineNode> most;
+    std::int64_t at = 0;
+    for (std::int64_t steps = -kReach + place.number % 2; steps <= kReach; steps += 2) {
+      const std::optional<OutlineNode> one = circle(steps);
+      if (!one || (most && most->radius <= one->radius)) continue;
+      most = one;
+      at = steps;
+    }
+    if (!most) return usual;
+    OutlineNode out = *most;
+    const std::optional<OutlineNode> before = circle(at - 2);
+    const std::optional<OutlineNode> after = circle(at + 2);
+    const double low = before ? most->radius / before->radius - 1.0 : 0.0;
+    const double high = after ? most->radius / after->radius - 1.0 : 0.0;
+    if (low > 0.0 || high > 0.0) return usual;  // it turns more farther away
+    constexpr double kSmooth = -0.25;           // otherwise the curvature jumps
+    if (before && after && low > kSmooth && high > kSmooth && low + high < 0.0) {
+      const double share = 0.5 * (low - high) / (low + high);
+      const auto between = [share](auto a, auto b, auto c) {
+        return 0.5 * share * (share - 1.0) * a + (1.0 - share * share) * b + 0.5 * share * (share + 1.0) * c;
+      };
+      out = {between(before->center, most->center, after->center),
+             between(before->radius, most->radius, after->radius)};
+    }
+    // Its disk lies in that of the chords, apart from what the curve is away from these.
+    constexpr double kAway = 0x1p-10;
+    return distance(out.center, usual.center) + out.radius <= (1.0 + kAway) * usual.radius ? out : usual;
+  }
+
+  NearFeatures round(const Triple& around, Vec2 origin) const {
+    const auto near = [&](OutlineFeatureSlot i) { return NearFeature::of(out_.features[i], origin); };
+    return {near(around[0]), near(around[1]), near(around[2])};
+  }
+  NearFeatures straight(const Triple& around, Vec2 origin) const {
+    const auto near = [&](OutlineFeatureSlot i) {
+      OutlineFeature feature = out_.features[i];
+      feature.center.reset();
+      return NearFeature::of(feature, origin);
+    };
+    return {near(around[0]), near(around[1]), near(around[2])};
+  }
+
+  /// The node of the curves that chords stand for, beside that of the chords. Nothing if all sides are straight, at ends
+  /// in the middle of a smooth curve, and where Newton's method finds nothing near.
+  std::optional<OutlineNode> on_curves(const OutlineNode& node, Vec2 origin, const Triple& around) const {
+    const auto is_round = [this](OutlineFeatureSlot i) { return out_.features[i].center.has_value(); };
+    if (std::ranges::none_of(around, is_round)) return std::nullopt;
+    const NearFeatures near = round(around, origin);
+    std::optional<OutlineNode> found;
+    std::size_t pairs = 0;
+    std::size_t first = 0;  // of the last pair of neighbours along a curve
+    for (std::size_t i = 0; i < 3; ++i) {
+      const OutlineFeature& other = out_.features[around[(i + 1) % 3]];
+      if (!out_.features[around[i]].smooth.is_next_to(other.smooth)) continue;
+      ++pairs;
+      first = i;
+    }
+    if (pairs == 0) found = equally_far(near, node.center);
+    if (pairs == 1) {
+      const std::size_t second = (first + 1) % 3;
+      found = equally_far_from_two(near, (first + 2) % 3, is_round(around[first]) ? first : second, node.center);
+    }
+    if (found && distance(found->center, node.center) <= 0.5 * node.radius) return found;
+    return std::nullopt;
+  }
+
   OutlineNode node_from(Vec2 origin, const Triple& around) const {
-    const std::array<Near, 3> near{near_of(around[0], origin), near_of(around[1], origin),
-                                   near_of(around[2], origin)};
+    const NearFeatures near = straight(around, origin);
     const auto site = [&](OutlineFeatureSlot slot) {
       const OutlineFeature& feature = out_.features[slot];
       return site_between<Traits, Doubles>(feature.from - origin, feature.to - origin);
@@ -416,61 +538,10 @@ class InnerVoronoi {
       for (std::size_t k = 1; k < 3; ++k) {
         const std::size_t j = (i + k) % 3;
         if (!out_.features[around[i]].is_point() || !touch(around[i], around[j])) continue;
-        if (const auto foot = above_end(near, i, j, at)) return *foot;
+        if (const auto foot = equally_far_above_end(near, i, j, at)) return *foot;
       }
-    if (const auto polished = polish(near, at)) return *polished;
+    if (const auto polished = equally_far(near, at)) return *polished;
     return exact_node(origin, around, near);
-  }
-
-  /// The node of a point, a side that ends there, and a third feature: on the normal through the point, on the side of
-  /// `about`.
-  static std::optional<OutlineNode> above_end(const std::array<Near, 3>& near, std::size_t point, std::size_t side,
-                                              Vec2 about) {
-    if (!is_finite(about)) return std::nullopt;
-    const Vec2 p = near[point].at;
-    const Near& third = near[3 - point - side];
-    const Vec2 up = dot(near[side].normal, about - p) < 0.0 ? -near[side].normal : near[side].normal;
-    double height = 0.0;
-    if (third.is_line()) {
-      const Vec2 m = third.gradient(p);
-      height = third.distance(p) / (1.0 - dot(up, m));
-    } else {
-      const Vec2 q = third.at - p;
-      height = 0.5 * dot(q, q) / dot(up, q);
-    }
-    const OutlineNode node{p + height * up, height};
-    const double error = std::abs(third.distance(node.center) - height);
-    if (!(height > 0.0) || !(error <= tolerance(near, node.center, height))) return std::nullopt;
-    return node;
-  }
-
-  /// Rounding of the distances of three features from a place near a circle of this radius that touches them.
-  static double tolerance(const std::array<Near, 3>& near, Vec2 at, double radius) {
-    double reach = radius;
-    for (const Vec2 p : {at, near[0].at, near[1].at, near[2].at})
-      reach = std::max(reach, std::abs(p.x) + std::abs(p.y));
-    return 64.0 * kEpsilon * reach;
-  }
-
-  /// Newton's method for the point at one distance from the three, which lie around it counter-clockwise. Lines have
-  /// other points at one distance from all, around which their order is another one.
-  static std::optional<OutlineNode> polish(const std::array<Near, 3>& near, Vec2 at) {
-    constexpr int kSteps = 4;
-    for (int step = 0; is_finite(at); ++step) {
-      const std::array d{near[0].distance(at), near[1].distance(at), near[2].distance(at)};
-      const Vec2 first = near[1].gradient(at) - near[0].gradient(at);
-      const Vec2 second = near[2].gradient(at) - near[0].gradient(at);
-      const double area = cross(first, second);
-      constexpr double kFlat = 1e-6;  // flatter than this, rounding moves the point too far
-      if (!(area > kFlat * length(first) * length(second))) return std::nullopt;
-      const Vec2 by = {((d[0] - d[1]) * second.y - (d[0] - d[2]) * first.y) / area,
-                       ((d[0] - d[2]) * first.x - (d[0] - d[1]) * second.x) / area};
-      const double radius = (d[0] + d[1] + d[2]) / 3.0;
-      if (length(by) <= tolerance(near, at, radius)) return OutlineNode{at + by, radius};
-      if (step == kSteps) return std::nullopt;
-      at = at + by;
-    }
-    return std::nullopt;
   }
 
   /// A segment, or a point if both ends are the same.
@@ -483,7 +554,7 @@ class InnerVoronoi {
   }
 
   /// For positions that doubles do not find.
-  OutlineNode exact_node(Vec2 origin, const Triple& around, const std::array<Near, 3>& near) const {
+  OutlineNode exact_node(Vec2 origin, const Triple& around, const NearFeatures& near) const {
     const auto site = [&](OutlineFeatureSlot slot) {
       const OutlineFeature& feature = out_.features[slot];
       return site_between<ExactTraits, Roots>(feature.from, feature.to);
@@ -501,8 +572,9 @@ class InnerVoronoi {
   Graph graph_;
   std::unordered_map<const void*, OutlineFeatureSlot> feature_;
   std::unordered_map<const void*, GraphFaceSlot> face_;
-  Table<OutlineFeatureSlot, std::array<OutlineFeatureSlot, 2>> ends_;  // of sides
-  Table<OutlineFeatureSlot, bool> separates_;                          // sides
+  std::map<std::pair<std::uint32_t, std::uint32_t>, OutlineFeatureSlot> chord_;  // by stretch and number along it
+  Table<OutlineFeatureSlot, std::array<OutlineFeatureSlot, 2>> ends_;            // of sides
+  Table<OutlineFeatureSlot, bool> separates_;                                    // sides
   Table<GraphFaceSlot, GraphFaceSlot> region_;  // kNoSlot outside, and where the features of a face meet
   OutlineGraph out_;
 };

@@ -12,13 +12,14 @@ namespace mes {
 /// `sides` are those of `OutlineSides::take`.
 ///
 /// The Voronoi edges of the features of an outline, except those between a side and its own end, in regions that an odd
-/// number of closed contours surrounds. Edges of zero length are contracted, and edges between neighbouring chords of a
-/// smooth curve are left out.
+/// number of closed contours surrounds. Edges of zero length are contracted, as are those between chords of one arc, and
+/// edges between neighbouring chords of a smooth curve are left out. A region without edges, a disk, has a node.
 ///
 /// Guarantees:
 ///  1. Which edges there are, where they end, and what lies inside is decided exactly for the given doubles.
-///  2. Centres of nodes are rounded: the distances from their three features differ by a few units in the last place
-///     of the largest coordinate.
+///  2. Centres of nodes are rounded: the distances from their three features, circles of round sides among them, differ
+///     by a few units in the last place of the largest coordinate. Nodes beside round sides that Newton's method does not
+///     find are those of the chords.
 ///  3. Edges between sides from one end with an angle below 2^-40 are left out.
 ///
 /// Cost: O(n log n) typically, some 50 us a side. Throws `Cancelled`. `shows_progress`: the progress of the job is

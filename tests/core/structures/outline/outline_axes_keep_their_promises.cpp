@@ -393,50 +393,6 @@ TEST_CASE("parcels have an axis each, one tree in every rectangle") {
   }
 }
 
-TEST_CASE("the axis of curves has no branches to vertices of chords, and ends at centres of curvature") {
-  {
-    PlaneCurve ellipse({3.0, 0.0});
-    ellipse.arc_to({.center = {}, .u = {3.0, 0.0}, .v = {0.0, 2.0}, .start = 0.0, .sweep = 2.0 * std::numbers::pi},
-                   {3.0, 0.0});
-    ellipse.close();
-    const AxisBench bench(data_of_curves({ellipse}));
-    const double end = (9.0 - 4.0) / 3.0;
-    double most = 0.0;
-    for (const OutlinePiece& piece : bench.axis().pieces())
-      for (const Vec2 p : {piece.from, piece.to}) {
-        CHECK(std::abs(p.y) < 0.01);
-        most = std::max(most, std::abs(p.x));
-      }
-    CHECK(most == Approx(end).margin(0.1));
-    CHECK(bench.length() == Approx(2.0 * most).epsilon(1e-2));
-  }
-  {
-    PlaneCurve stadium({0.0, 0.0});
-    stadium.line_to({4.0, 0.0});
-    stadium.arc_to({.center = {4.0, 1.0},
-                    .u = {1.0, 0.0},
-                    .v = {0.0, 1.0},
-                    .start = -0.5 * std::numbers::pi,
-                    .sweep = std::numbers::pi},
-                   {4.0, 2.0});
-    stadium.line_to({0.0, 2.0});
-    stadium.arc_to({.center = {0.0, 1.0},
-                    .u = {1.0, 0.0},
-                    .v = {0.0, 1.0},
-                    .start = 0.5 * std::numbers::pi,
-                    .sweep = std::numbers::pi},
-                   {0.0, 0.0});
-    stadium.close();
-    const AxisBench bench(data_of_curves({stadium}));
-    for (const OutlinePiece& piece : bench.axis().pieces()) {
-      CHECK(piece.from.y == Approx(1.0).margin(1e-3));
-      CHECK(piece.from.x > -0.01);
-      CHECK(piece.from.x < 4.01);
-    }
-    CHECK(bench.length() == Approx(4.0).margin(0.02));
-  }
-}
-
 TEST_CASE("the axis follows vertices that are moved, and stays where samples of curves are") {
   TestBench bench;
   bench.show({"outline-axis"});

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The axis of outlines with arcs: formulas, distances from the curves themselves, and images of an outline.
+#include <algorithm>
+#include <array>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+#include "core/curves/affine.h"
+#include "core/structures/filters/paths/center_line.h"
+#include "core/structures/outline/outline_center_lines.h"
+#include "core/structures/outline/outline_sides.h"
+#include "tests/core/structures/outline/outline_bench.h"
+
+using namespace mes;
+using namespace mes::test;
+
+namespace {
+
+constexpr double kFlatAngle = std::numbers::pi;
+
+/// Goes on along a circle, counter-clockwise for a positive sweep.
+void turn(PlaneCurve& curve, Vec2 center, double radius, double start, double sweep) {
+  curve.arc_to({center, {radius, 0}, {0, radius}, start, sweep},
+               center + radius * Vec2{std::cos(start + sweep), std::sin(start + sweep)});
+}
+
+PlaneCurve circle(Vec2 center, double radius, int arcs = 1) {
+  PlaneCurve out(center + Vec2{radius, 0});
+  for (int i = 0; i < arcs; ++i) turn(out, center, radius, 2 * kFlatAngle * i / arcs, 2 * kFlatAngle / arcs);
+  out.close();
+  return out;
+}
+
+/// A stadium, 14 by 4.
+PlaneCurve slot() {
+  PlaneCurve out({-5, -2});
+  out.line_to({5, -2});
+  turn(out, {5, 0}, 2, -0.5 * kFlatAngle, kFlatAngle);
+  out.line_to({-5, 2});
+  turn(out, {-5, 0}, 2, 0.5 * kFlatAngle, kFlatAngle);
+  out.close();
+  return out;
+}
+
+/// The upper half of a disk of radius 7.
+PlaneCurve half_disk() {
+  PlaneCurve out({-7, 0});
+  out.line_to({7, 0});
+  turn(out, {0, 0}, 7, 0, kFlatAngle);
+  out.close();
+  return out;
+}
+
+double error_of(const OutlineAxis& axis, auto distance_from_curve) {
+  double out = 0.0;
+  for (const OutlineNode& node : axis.graph().nodes)
+    out = std::max(out, std::abs(distance_from_curve(node.center) - node.radius));
+  for (const OutlinePiece& piece : axis.pieces())
+    out = std::max(out, std::abs(distance_from_curve(piece.to) - piece.radius_to));
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "a disk has its centre, a slot its middle line, and a rounded rectangle ends at the centres of its corners") {
+  for (const int arcs : {1, 2, 4, 7}) {
+    const AxisBench disk(data_of_curves({circle({10, 20}, 7, arcs)}));
+    CHECK(disk.count("outline-axis", "edges") == 0);
+    CHECK(disk.count("outline-axis", "nodes") == 1);
+    CHECK(disk.count("outline-axis", "regions") == 1);
+    CHECK(disk.has_node({10, 20}, 7));
+  }
+  const AxisBench middle(data_of_curves({slot()}));
+  CHECK(middle.count("outline-axis", "edges") == 1);
+  CHECK(middle.has_node({-5, 0}, 2));
+  CHECK(middle.has_node({5, 0}, 2));
+  CHECK(middle.length() == Approx(10));
+
+  PlaneCurve rounded({-6, -5});
+  for (int i = 0; i < 4; ++i) {
+    const std::array<Vec2, 4> corners{Vec2{6, -3}, {6, 3}, {-6, 3}, {-6, -3}};
+    const std::array<Vec2, 4> sides{Vec2{6, -5}, {8, 3}, {-6, 5}, {-8, -3}};
+    rounded.line_to(sides[static_cast<std::size_t>(i)]);
+    turn(rounded, corners[static_cast<std::size_t>(i)], 2, kFlatAngle * (0.5 * i - 0.5), 0.5 * kFlatAngle);
+  }
+  rounded.close();
+  const AxisBench corners(data_of_curves({rounded}));
+  CHECK(corners.count("outline-axis", "edges") == 5);
+  CHECK(corners.count("outline-axis", "nodes") == 6);
+  for (const Vec2 corner : {Vec2{6, -3}, {6, 3}, {-6, 3}, {-6, -3}}) CHECK(corners.has_node(corner, 2));
+  CHECK(corners.has_node({3, 0}, 5));
+}
+
+TEST_CASE("between a circle and a circle, a line, or a point the axis is their bisector") {
+  const Vec2 far{512'000, 5'400'000};  // as on a map
+  for (const Vec2 origin : {Vec2{}, far}) {
+    const double rounding = 64 * std::numeric_limits<double>::epsilon() * (10 + length(origin));
+    const auto moved = [&](PlaneCurve curve) {
+      curve.transform(Affine::translation(origin.x, origin.y));
+      return curve;
+    };
+    // Two circles about one point, then about two.
+    for (const Vec2 hole : {Vec2{}, Vec2{1.5, 0.5}}) {
+      const AxisBench ring(data_of_curves({moved(circle({}, 7)), moved(circle(hole, 3))}));
+      REQUIRE(ring.count("outline-axis", "edges") > 100);
+      for (const OutlineNode& node : ring.axis().graph().nodes) {
+        const Vec2 at = node.center - origin;
+        CHECK(std::abs(7 - length(at) - node.radius) <= rounding);
+        CHECK(std::abs(distance(at, hole) - 3 - node.radius) <= rounding);
+      }
+    }
+    // The parabola of a half disk: y = 7 - |(x, y)|.
+    const AxisBench half(data_of_curves({moved(half_disk())}));
+    REQUIRE(half.count("outline-axis", "edges") > 30);
+    for (const OutlineNode& node : half.axis().graph().nodes) {
+      const Vec2 at = node.center - origin;
+      CHECK(std::abs(at.y - (49 - at.x * at.x) / 14) <= rounding);
+      CHECK(std::abs(at.y - node.radius) <= rounding);
+    }
+  }
+}
+
+TEST_CASE("curved edges leave the bisector by a thousandth of the radius at most") {
+  const AxisBench half(data_of_curves({half_disk()}));
+  const auto from_half_disk = [](Vec2 p) { return std::min(p.y, 7 - length(p)); };
+  CHECK(error_of(half.axis(), from_half_disk) <= 7.0 / 1024);
+  double controls = 0;
+  for (const OutlineEdgeSlot edge : half.axis().graph().edges.rows()) {
+    const auto control = half.axis().control(edge);
+    if (!control) continue;
+    ++controls;
+    const auto& [from, to] = half.axis().graph().edges[edge].nodes;
+    const Vec2 middle =
+        0.25 * half.axis().graph().nodes[from].center + 0.5 * *control + 0.25 * half.axis().graph().nodes[to].center;
+    CHECK(middle.y == Approx((49 - middle.x * middle.x) / 14).margin(1e-6));
+  }
+  CHECK(controls > 30);
+}
+
+TEST_CASE("the width of a ring is the difference of its radii") {
+  const AxisBench ring(data_of_curves({circle({}, 7, 2), circle({}, 3, 2)}));
+  JobControl job;
+  CenterLines lines = center_lines_of(ring.axis(), {}, job);
+  REQUIRE(lines.lines.size() == 1);
+  CenterLine& line = lines.lines.front();
+  CHECK(line.is_closed);
+  take_axis(line);
+  for (const Station& station : stations_of(line, 0.1)) {
+    CHECK(station.width == Approx(4).epsilon(1e-12));
+    CHECK(std::abs(length(station.left) + length(station.right) - 10) < 1e-9);
+  }
+}
+
+TEST_CASE("the axis of an ellipse ends at its centres of curvature") {
+  for (const double turned : {0.0, 0.3}) {
+    const Vec2 u = 8.0 * Vec2{std::cos(turned), std::sin(turned)};
+    const Vec2 v = 0.5 * perpendicular(u);
+    PlaneCurve ellipse(u);
+    ellipse.arc_to({{}, u, v, 0, 2 * kFlatAngle}, u);
+    ellipse.close();
+    const AxisBench bench(data_of_curves({ellipse}));
+    // a - b^2 / a from the middle, with radius b^2 / a
+    for (const double sign : {-1.0, 1.0}) {
+      const Vec2 end = (sign * 6.0 / 8.0) * u;
+      const auto is_end = [&](const OutlineNode& node) {
+        return distance(node.center, end) < 1e-3 && std::abs(node.radius - 2.0) < 1e-3;
+      };
+      CHECK(std::ranges::count_if(bench.axis().graph().nodes, is_end) == 1);
+    }
+    CHECK(bench.length() == Approx(12).margin(2e-3));
+    double off = 0.0;
+    for (const OutlineNode& node : bench.axis().graph().nodes)
+      off = std::max(off, std::abs(dot(node.center, v)) / length(v));
+    CHECK(off < 1e-3);
+  }
+}
+
+TEST_CASE("the axis beside arcs does not depend on where curves begin and how they run") {
+  PlaneCurve backwards({5, -2});
+  backwards.line_to({-5, -2});
+  turn(backwards, {-5, 0}, 2, -0.5 * kFlatAngle, -kFlatAngle);
+  backwards.line_to({5, 2});
+  turn(backwards, {5, 0}, 2, 0.5 * kFlatAngle, -kFlatAngle);
+  backwards.close();
+  const PlaneCurve hole = circle({4, 0.25}, 1);
+  const AxisBench one(data_of_curves({slot(), hole}));
+  const AxisBench other(data_of_curves({hole, backwards}));
+  const auto a = pieces_of(one.axis(), 1.0);
+  const auto b = pieces_of(other.axis(), 1.0);
+  REQUIRE(a.size() > 50);
+  CHECK(a.size() == b.size());
+  CHECK(one.length() == Approx(other.length()).epsilon(1e-9));
+}
