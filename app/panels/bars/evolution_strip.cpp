@@ -39,9 +39,9 @@ class Row {
   bool is_first_ = true;
 };
 
-void chooser(const EvolutionStrip& strip) {
+void chooser(const EvolutionStrip& strip, float most) {
   EvolutionPlayer& player = strip.evolution;
-  ImGui::SetNextItemWidth(kChooserWidth * strip.gui.unit());
+  ImGui::SetNextItemWidth(std::min(kChooserWidth * strip.gui.unit(), most));
   if (ImGui::BeginCombo("##evolution", player.descriptor().name.c_str(), ImGuiComboFlags_HeightLarge)) {
     for (const auto& evolution : player.evolutions()) {
       if (ImGui::Selectable(evolution->descriptor.name.c_str(), evolution == player.choice().evolution))
@@ -121,8 +121,10 @@ void slider(const EvolutionStrip& strip, Row& row, float most) {
   std::uint64_t k = player.target();
   const std::uint64_t end = player.end();
   constexpr float kEnd = 86;
-  const float width = std::clamp(most - kEnd * unit, 120 * unit, 220 * unit);
-  row.next(width + kEnd * unit);
+  constexpr float kLeast = 120;
+  const bool is_narrow = most < (kLeast + kEnd) * unit;  // then the last step is below the slider
+  const float width = std::clamp(is_narrow ? most : most - kEnd * unit, kLeast * unit, 220 * unit);
+  row.next(is_narrow ? width : width + kEnd * unit);
   auto step = static_cast<double>(k);
   ImGui::BeginGroup();
   const float rail = slider_rail(strip.gui, width);
@@ -136,7 +138,7 @@ void slider(const EvolutionStrip& strip, Row& row, float most) {
     step_marks(strip, rail);
   }
   ImGui::EndGroup();
-  ImGui::SameLine(0, 10 * unit);
+  if (!is_narrow) ImGui::SameLine(0, 10 * unit);
   ImGui::AlignTextToFramePadding();
   ImGui::TextDisabled("of");
   ImGui::SameLine(0, 5 * unit);
@@ -277,7 +279,7 @@ float EvolutionStrip::draw(ImVec2 at, float width) const {
   const float size = ImGui::GetFrameHeight();
   Row row(width - 16 * unit, 10 * unit);
   row.next(kChooserWidth * unit);
-  chooser(*this);
+  chooser(*this, width - 16 * unit);
   row.next(size);
   parameters(*this, size);
   row.next(6 * size);

@@ -190,7 +190,9 @@ bool HelpPage::is_cancelled_by(const KeyChord& chord) const {
 void HelpPage::draw(const Gui& gui) {
   const float unit = gui.unit();
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  const ImVec2 size(std::min(1240 * unit, screen.x - 24 * unit), std::min(860 * unit, screen.y - 24 * unit));
+  const float edge = 24 * unit;
+  // As high as the page was in the last frame.
+  const ImVec2 size(std::min(1240 * unit, screen.x - edge), std::min(height_ * unit, screen.y - edge));
   ImGui::SetNextWindowPos({0.5F * (screen.x - size.x), 0.5F * (screen.y - size.y)});
   ImGui::SetNextWindowSize(size);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {22 * unit, 16 * unit});
@@ -205,7 +207,9 @@ void HelpPage::draw(const Gui& gui) {
     ImGui::BeginChild("page");
     draw_columns(gui, *keymap_, ImGui::GetContentRegionAvail().x);
     draw_foot(gui, keys_file_);
+    const float page = ImGui::GetCursorPosY();
     ImGui::EndChild();
+    height_ = (ImGui::GetItemRectMin().y - ImGui::GetWindowPos().y + page + 16 * unit) / unit;
     const bool beside = ImGui::IsMouseClicked(ImGuiMouseButton_Left) &&
                         !ImGui::IsWindowHovered(ImGuiHoveredFlags_RootAndChildWindows);
     if (beside) is_open_ = false;

@@ -29,6 +29,7 @@ class HelpPage final : public Dialog {
   const Keymap* keymap_ = nullptr;
   std::string keys_file_;
   bool is_open_ = false;
+  float height_ = 860.0F;  // of the window, in logical pixels, if the screen has room for it
 };
 
 }  // namespace mes
