@@ -4,8 +4,13 @@
 #include <fmt/core.h>
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <mutex>
 #include <numbers>
+#include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "core/io/systems/proj_library.h"
 
@@ -51,6 +56,60 @@ std::pair<double, double> scales_at(const MapConversion& to_wgs84, Vec2 p, doubl
 
 }  // namespace
 
+/// The way from a system to longitude and latitude on WGS 84. PROJ takes up to 100 ms to find one, so those that are no
+/// longer in use are kept for the next who asks: a town has thousands of maps of one house.
+class WayToWgs84 {
+ public:
+  static Expected<WayToWgs84> of(const ProjLibrary& proj, const std::string& system, const std::string& title) {
+    if (auto kept = taken(system)) return *std::move(kept);
+    WayToWgs84 out;
+    out.system_ = system;
+    out.context_ = new_context(proj);
+    const auto owned = [&](PJ* object) { return ProjObject(object, ProjDeleter{&proj}); };
+    const ProjObject raw =
+        owned(proj.create_crs_to_crs(out.context_.get(), system.c_str(), kLongitudeAndLatitude, nullptr));
+    if (raw) out.object_ = owned(proj.normalize_for_visualization(out.context_.get(), raw.get()));
+    if (!out.object_) return no_conversion(title);
+    return out;
+  }
+  WayToWgs84() = default;
+  WayToWgs84(WayToWgs84&&) noexcept = default;
+  WayToWgs84& operator=(WayToWgs84&&) noexcept = default;
+  ~WayToWgs84() {
+    if (!object_) return;
+    const std::scoped_lock lock(mutex());
+    constexpr std::size_t kMostKept = 32;
+    if (kept().size() < kMostKept) kept().push_back(std::move(*this));
+  }
+
+  PJ* get() const { return object_.get(); }
+  explicit operator bool() const { return object_ != nullptr; }
+
+ private:
+  static std::mutex& mutex() {
+    static std::mutex one;
+    return one;
+  }
+  /// Not destroyed: at the end of the process the library may be gone before.
+  static std::vector<WayToWgs84>& kept() {
+    static auto* const one = new std::vector<WayToWgs84>;
+    return *one;
+  }
+  static std::optional<WayToWgs84> taken(const std::string& system) {
+    const std::scoped_lock lock(mutex());
+    const auto at = std::ranges::find(kept(), system, &WayToWgs84::system_);
+    if (at == kept().end()) return std::nullopt;
+    std::swap(*at, kept().back());
+    std::optional<WayToWgs84> out = std::move(kept().back());
+    kept().pop_back();
+    return out;
+  }
+
+  std::string system_;
+  ProjContext context_{};
+  ProjObject object_{};
+};
+
 struct MapConversion::Impl {
   MapPlane plane{};
   CoordinateSystem system{};
@@ -58,7 +117,7 @@ struct MapConversion::Impl {
   const ProjLibrary* proj = nullptr;
   ProjContext context{};
   ProjObject azimuthal{};  // from radians to metres; null for the other projections
-  ProjObject to_wgs84{};   // from the system; null if that is not needed
+  WayToWgs84 to_wgs84{};   // empty if that is not needed
 
   /// Kilometres in a unit of longitude and of latitude, for the equirectangular projection.
   Vec2 kilometres() const {
@@ -102,20 +161,18 @@ Expected<MapConversion> MapConversion::of(const MapPlane& plane, MapTarget targe
   const auto proj = proj_library();
   if (!proj) return std::unexpected(proj.error());
   impl->proj = *proj;
-  impl->context = new_context(**proj);
-  const auto owned = [&](PJ* object) { return ProjObject(object, ProjDeleter{*proj}); };
   if (is_azimuthal) {
+    impl->context = new_context(**proj);
     const double degrees = impl->system.unit_size * 180.0 / std::numbers::pi;
     const std::string text = fmt::format("+proj=aeqd +lon_0={} +lat_0={} +a={} +b={}", degrees * plane.longitude,
                                          degrees * plane.latitude, impl->system.major_axis, impl->system.minor_axis);
-    impl->azimuthal = owned((*proj)->create(impl->context.get(), text.c_str()));
+    impl->azimuthal = ProjObject((*proj)->create(impl->context.get(), text.c_str()), ProjDeleter{*proj});
     if (!impl->azimuthal) return no_conversion(impl->system.title());
   }
   if (changes_system) {
-    const ProjObject raw =
-        owned((*proj)->create_crs_to_crs(impl->context.get(), plane.system.c_str(), kLongitudeAndLatitude, nullptr));
-    if (raw) impl->to_wgs84 = owned((*proj)->normalize_for_visualization(impl->context.get(), raw.get()));
-    if (!impl->to_wgs84) return no_conversion(impl->system.title());
+    auto to_wgs84 = WayToWgs84::of(**proj, plane.system, impl->system.title());
+    if (!to_wgs84) return std::unexpected(to_wgs84.error());
+    impl->to_wgs84 = *std::move(to_wgs84);
   }
   return MapConversion(std::move(impl));
 }

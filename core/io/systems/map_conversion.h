@@ -30,7 +30,8 @@ enum class MapTarget : std::uint8_t {
 /// system without any change.
 ///
 /// Cost: 50 ms for the first of a process, which loads PROJ; then 0.1 ms for WGS 84, and up to 100 ms for another
-/// system. A microsecond a position. Threads: one at a time.
+/// system, unless an earlier conversion of this system is over: what it found is kept. A microsecond a position. Threads:
+/// one at a time, and each with a conversion of its own.
 ///
 /// Smallest use:
 ///     std::vector<Vec2> places = outline;

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Coordinate systems of maps: found by name, converted as the program cs2cs does it, and kept in files.
+#include <algorithm>
 #include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <cstdio>
 #include <sstream>
 
+#include "core/base/jobs/parallel.h"
 #include "core/io/session/session.h"
 #include "core/io/systems/chosen_plane.h"
 #include "core/io/systems/map_conversion.h"
@@ -106,6 +108,27 @@ TEST_CASE("positions become longitude and latitude within a millimetre of cs2cs,
     const MapConversion same = conversion_of(plane, MapTarget::own_system);
     for (const Vec2 p : example.positions) CHECK(same.from_plane(p) == p);
   }
+}
+
+TEST_CASE("conversions side by side and one after another are the same to the last bit") {
+  const std::array<std::string, 2> systems{"EPSG:25832", "EPSG:2263"};
+  const std::array<Vec2, 2> places{Vec2{512'000.0, 5'400'000.0}, Vec2{985'000.0, 200'000.0}};
+  const auto there = [&](std::size_t i) {
+    return conversion_of(MapPlane{.system = systems[i]}, MapTarget::wgs84).from_plane(places[i]);
+  };
+  const std::array first{there(0), there(1)};
+  CHECK(first[0] != first[1]);
+  std::array<int, 16> differences{};
+  run_tasks(differences.size(), [&](std::size_t task) {
+    const MapConversion longer = *MapConversion::of(MapPlane{.system = systems[task % 2]}, MapTarget::wgs84);
+    for (std::size_t k = 0; k < 20; ++k) {
+      const std::size_t i = (task + k) % 2;
+      const MapConversion one = *MapConversion::of(MapPlane{.system = systems[i]}, MapTarget::wgs84);
+      differences[task] += one.from_plane(places[i]) != first[i] ? 1 : 0;
+      differences[task] += longer.from_plane(places[task % 2]) != first[task % 2] ? 1 : 0;
+    }
+  });
+  CHECK(std::ranges::count(differences, 0) == static_cast<std::ptrdiff_t>(differences.size()));
 }
 
 TEST_CASE("the local plane of degrees is a plane of the same system, within a millimetre") {
