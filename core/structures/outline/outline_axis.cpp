@@ -144,13 +144,17 @@ void append(OutlineGraph& out, const OutlineGraph& from, const OutlineGraphPart&
   out.regions += end.regions - begin.regions;
 }
 
+bool has_arcs(std::span<const OutlineSide> sides) {
+  return std::ranges::any_of(sides, [](const OutlineSide& side) { return side.center.has_value(); });
+}
+
 }  // namespace
 
 void OutlineAxis::rebuild(JobControl& job) {
   const OutlineGraph graph_before = std::exchange(graph_, {});
   const std::vector<Part> parts_before = std::exchange(parts_, {});
   pieces_ = {};
-  tolerance_ = 0.0;
+  const double tolerance_before = std::exchange(tolerance_, 0.0);
   OutlineSides sides;
   if (const auto& source = source_.current()) {
     const std::vector<PlaneCurve>& curves = source->curves->curves;
@@ -174,7 +178,8 @@ void OutlineAxis::rebuild(JobControl& job) {
   };
   const auto known = [&](const Part& part) {
     const auto at = std::ranges::lower_bound(parts_before, key(part), {}, key);
-    return at != parts_before.end() && at->sides == part.sides ? &*at : nullptr;
+    const bool is_same = at != parts_before.end() && at->sides == part.sides;
+    return is_same && (tolerance_ == tolerance_before || !has_arcs(part.sides)) ? &*at : nullptr;
   };
   std::vector<std::size_t> unknown;
   std::size_t sides_left = 0;
@@ -187,7 +192,7 @@ void OutlineAxis::rebuild(JobControl& job) {
   std::atomic<std::size_t> sides_done = 0;
   run_tasks(unknown.size(), [&](std::size_t k) {
     const std::vector<OutlineSide>& own = parts[unknown[k]].sides;
-    computed[unknown[k]] = inner_voronoi(own, job, unknown.size() == 1);
+    computed[unknown[k]] = inner_voronoi(own, tolerance_, job, unknown.size() == 1);
     job.checkpoint(sides_done += own.size(), sides_left);
   });
   for (std::size_t i = 0; i < parts.size(); ++i) {

@@ -24,6 +24,7 @@ struct OutlineFeature {
   Vec2 to{};
   SmoothPlace smooth{};
   std::optional<Vec2> center{};  ///< of the circle of a round side, and of one beside a vertex of a smooth curve
+  bool is_arc = false;           ///< the curve itself is an arc of this circle
   bool is_point() const { return from == to; }
 };
 

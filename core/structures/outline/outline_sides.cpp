@@ -63,12 +63,28 @@ std::optional<Vec2> center_through(Vec2 from, Vec2 middle, Vec2 to) {
 struct Chord {
   Vec2 to{};
   std::optional<Vec2> center{};  ///< of the circle that it stands for
+  bool is_arc = false;
 };
 
-/// Adds the chords of a curved piece.
-void add_chords(const Piece& piece, double tolerance, int halvings, std::vector<Chord>& out) {
+/// Where an arc of a circle is divided that is this part of an arc: not quite in the middle. Chords of equal length all
+/// touch a smaller circle, and exact predicates are slow where many sides touch one circle. Backwards along the arc
+/// parts are divided at the same places.
+double share_of_first(std::uint32_t part, std::uint32_t parts) {
+  const std::uint32_t from_end = parts - 1 - part;
+  if (part == from_end) return 0.5;
+  std::uint32_t mixed = (std::min(part, from_end) + parts) * 2654435761U;  // 2^32 over the golden ratio
+  mixed ^= mixed >> 15U;
+  const double offset = 0x1p-6 * (static_cast<double>(mixed % 1024U) / 1024.0 - 0.5);
+  return part < from_end ? 0.5 + offset : 0.5 - offset;
+}
+
+/// Adds the chords of a curved piece, which is one of so many `parts` of the whole one.
+void add_chords(const Piece& piece, double tolerance, std::uint32_t part, std::uint32_t parts,
+                std::vector<Chord>& out) {
   std::optional<Vec2> center = center_of_circle(piece);
-  if (!center) center = center_through(piece.from(), piece.at(0.5), piece.to());
+  const bool is_arc = center.has_value();
+  const double share = is_arc ? share_of_first(part, parts) : 0.5;
+  if (!is_arc) center = center_through(piece.from(), piece.at(0.5), piece.to());
   const auto is_near = [&](double t) {
     constexpr double kArc = 1.0 / 64.0;  // arcs follow curves better than chords do
     const double from_chord = distance_from_chord(piece.at(t), piece.from(), piece.to());
@@ -77,21 +93,21 @@ void add_chords(const Piece& piece, double tolerance, int halvings, std::vector<
     return from_chord <= tolerance && from_arc <= kArc * tolerance;
   };
   const bool is_straight = std::ranges::all_of(std::array{0.25, 0.5, 0.75}, is_near);
-  if (halvings == 0 || (is_straight && go_on(piece.first_direction(), piece.last_direction()))) {
-    out.push_back({piece.to(), center});
+  constexpr std::uint32_t kMostParts = 4096;
+  if (parts == kMostParts || (is_straight && go_on(piece.first_direction(), piece.last_direction()))) {
+    out.push_back({piece.to(), center, is_arc});
     return;
   }
-  add_chords(piece.part(0.0, 0.5), tolerance, halvings - 1, out);
-  add_chords(piece.part(0.5, 1.0), tolerance, halvings - 1, out);
+  add_chords(piece.part(0.0, share), tolerance, 2 * part, 2 * parts, out);
+  add_chords(piece.part(share, 1.0), tolerance, 2 * part + 1, 2 * parts, out);
 }
 
 /// Adds the chords that stand for a piece.
 void add_chords_of(const Piece& piece, double tolerance, std::vector<Chord>& out) {
-  constexpr int kMostHalvings = 12;
   if (piece.kind == PieceKind::line)
     out.push_back({piece.to()});
   else
-    add_chords(piece, tolerance, kMostHalvings, out);
+    add_chords(piece, tolerance, 0, 1, out);
 }
 
 bool by_ends(const OutlineSide& a, const OutlineSide& b) {
@@ -375,11 +391,20 @@ void OutlineSides::add(std::span<const PlaneCurve> curves, double tolerance) {
 
 void OutlineSides::add(std::span<const Piece> pieces, bool is_closed, double tolerance) {
   const std::size_t count = pieces.size();
+  // A short line that closes a gap between ends, as in drawings with few decimals, is no corner.
+  const auto is_gap = [&](std::size_t i) {
+    return pieces[i].kind == PieceKind::line && distance(pieces[i].from(), pieces[i].to()) <= tolerance;
+  };
   const auto goes_on_after = [&](std::size_t i) {
-    if (i + 1 == count && !is_closed) return false;
-    const Piece& next = pieces[(i + 1) % count];
-    if (pieces[i].kind == PieceKind::line && next.kind == PieceKind::line) return false;
-    return go_on(pieces[i].last_direction(), next.first_direction());
+    std::size_t before = i;
+    std::size_t after = i + 1;
+    if (is_gap(before) && (is_closed || before != 0)) before += count - 1;
+    if ((is_closed || after < count) && is_gap(after % count)) ++after;
+    if (after >= count && !is_closed) return false;
+    const Piece& first = pieces[before % count];
+    const Piece& next = pieces[after % count];
+    if (first.kind == PieceKind::line && next.kind == PieceKind::line) return false;
+    return go_on(first.last_direction(), next.first_direction());
   };
   // Begin behind a corner, so that no stretch passes the beginning; a closed curve without corners is one stretch.
   std::size_t first = 0;
@@ -395,7 +420,7 @@ void OutlineSides::add(std::span<const Piece> pieces, bool is_closed, double tol
     add_chords_of(piece, tolerance, chords);
     Vec2 at = piece.from();
     for (const Chord& chord : chords) {
-      add({at, chord.to, is_closed, place, chord.center});
+      add({at, chord.to, is_closed, place, chord.center, chord.is_arc});
       if (at != chord.to) place.number += 2;
       at = chord.to;
     }
@@ -481,7 +506,7 @@ void OutlineSides::split(std::vector<Cut> cuts, Cuts where) {
     const auto go_to = [&](Vec2 next) {
       if (next == at) return;
       const auto [from, to] = std::minmax(at, next, lexicographically_less);
-      pieces.push_back({from, to, side.separates, side.smooth, side.center});
+      pieces.push_back({from, to, side.separates, side.smooth, side.center, side.is_arc});
       at = next;
     };
     for (; k < cuts.size() && cuts[k].first == i; ++k) go_to(cuts[k].second);
@@ -504,7 +529,10 @@ void OutlineSides::merge() {
     OutlineSide& same = out.back();
     same.separates = same.separates != side.separates;
     const bool is_less = same.center && (!side.center || lexicographically_less(*side.center, *same.center));
-    if (is_less) same.center = side.center;
+    if (is_less) {
+      same.center = side.center;
+      same.is_arc = side.is_arc;
+    }
   }
   sides_.swap(out);
 }

@@ -44,6 +44,7 @@ struct OutlineSide {
   bool separates = false;  ///< an odd number of closed contours runs along it
   SmoothPlace smooth{};
   std::optional<Vec2> center{};  ///< the side stands for an arc of the circle through its ends about this
+  bool is_arc = false;           ///< the curve itself is that arc
   friend bool operator==(const OutlineSide&, const OutlineSide&) = default;
 };
 

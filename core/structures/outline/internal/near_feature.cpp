@@ -30,9 +30,16 @@ std::optional<OutlineNode> equally_far_above_end(const NearFeatures& near, std::
   if (!is_finite(about)) return std::nullopt;
   const Vec2 p = near[point].at;
   const NearFeature& third = near[3 - point - side];
-  const Vec2 up = dot(near[side].normal, about - p) < 0.0 ? -near[side].normal : near[side].normal;
+  const Vec2 normal = near[side].gradient(p, false);
+  const Vec2 up = dot(normal, about - p) < 0.0 ? -normal : normal;
   double height = 0.0;
-  if (third.is_line()) {
+  if (third.center) {
+    height = dot(about - p, up);
+    for (int step = 0; step < kMostNewtonSteps; ++step) {
+      const Vec2 at = p + height * up;
+      height += (third.distance(at) - height) / (1.0 - dot(up, third.gradient(at)));
+    }
+  } else if (third.is_line()) {
     const Vec2 m = third.gradient(p);
     height = third.distance(p) / (1.0 - dot(up, m));
   } else {

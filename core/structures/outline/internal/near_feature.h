@@ -58,8 +58,8 @@ std::optional<OutlineNode> equally_far(const NearFeatures& near, Vec2 about);
 std::optional<OutlineNode> equally_far_from_two(const NearFeatures& near, std::size_t one, std::size_t other,
                                                 Vec2 about);
 
-/// The point at one distance from a point, a straight side that ends there, and the third feature: on the normal through
-/// the point, on the side of `about`.
+/// The point at one distance from a point, a side that ends there, and the third feature: on the normal of the side in
+/// the point, on the side of `about`. By Newton's method if the third feature is round.
 std::optional<OutlineNode> equally_far_above_end(const NearFeatures& near, std::size_t point, std::size_t side,
                                                  Vec2 about);
 

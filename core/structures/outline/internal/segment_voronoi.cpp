@@ -47,13 +47,14 @@ Vec2 vec_of(const Doubles::Point_2& p) {
 
 class InnerVoronoi {
  public:
-  InnerVoronoi(std::span<const OutlineSide> sides, JobControl& job, bool shows_progress)
+  InnerVoronoi(std::span<const OutlineSide> sides, double tolerance, JobControl& job, bool shows_progress)
       : sides_(sides), job_(job), shows_progress_(shows_progress) {
     double most = 0.0;
     for (const OutlineSide& side : sides)
       for (const Vec2 end : {side.from, side.to}) most = std::max({most, std::abs(end.x), std::abs(end.y)});
     // Powers of distances of large coordinates would leave the doubles. Scaling by a power of two is exact.
     unit_ = std::ldexp(1.0, -std::ilogb(most));
+    tolerance_ = unit_ * tolerance;
   }
 
   OutlineGraph run() {
@@ -134,6 +135,7 @@ class InnerVoronoi {
         const OutlineSide& side = sides_[side_between(feature.from, feature.to)];
         feature.smooth = side.smooth;
         if (side.center) feature.center = scaled(*side.center);
+        feature.is_arc = side.is_arc;
         separates = side.separates;
       }
       if (is_segment && feature.center)
@@ -190,7 +192,9 @@ class InnerVoronoi {
       if (high - low != 2 && !is_at_beginning) continue;
       OutlineFeature& point = out_.features[i];
       point.smooth = {a.smooth.stretch, (is_at_beginning ? high : low) + 1, count};
-      point.center = a.center ? a.center : b.center;
+      const OutlineFeature& round = a.center ? a : b;
+      point.center = round.center;
+      point.is_arc = round.is_arc;
     }
   }
 
@@ -308,22 +312,42 @@ class InnerVoronoi {
     return out;
   }
 
-  /// The centre of an arc of which two features of one smooth curve are parts, or one is and the other is a straight side
-  /// that continues it. Inside, these are equally far from no other point; the chords have edges there instead.
-  static std::optional<OutlineNode> center_of_arc(const OutlineFeature& a, const OutlineFeature& b) {
-    if (a.smooth.stretch == SmoothPlace::kNone || a.smooth.stretch != b.smooth.stretch) return std::nullopt;
-    const OutlineFeature& arc = a.center ? a : b;
-    const OutlineFeature& other = a.center ? b : a;
-    if (!arc.center) return std::nullopt;
-    const Vec2 center = *arc.center;
-    const double radius = distance(arc.from, center);
-    const double error = other.center ? distance(*other.center, center)
-                                      : std::abs(NearFeature::of(other, center).distance({}) - radius);
-    constexpr double kExactly = 0x1p-20;  // drawings are often rounded
-    return error <= kExactly * radius ? std::optional(OutlineNode{center, radius}) : std::nullopt;
+  /// False if a feature of the face reaches into the disk, farther than chords do.
+  bool is_empty(Face f, const OutlineNode& disk) const {
+    constexpr double kChord = 0x1p-9;
+    return std::ranges::all_of(features(f), [&](OutlineFeatureSlot i) {
+      const OutlineFeature& own = out_.features[i];
+      const Vec2 along = own.to - own.from;
+      const double size = dot(along, along);
+      const double share = size > 0.0 ? std::clamp(dot(disk.center - own.from, along) / size, 0.0, 1.0) : 0.0;
+      return distance(own.from + share * along, disk.center) >= (1.0 - kChord) * disk.radius - tolerance_;
+    });
   }
-  bool lies_about(Face f, const OutlineNode& center) const {
-    return distance(node_of_chords(f, features(f)).center, center.center) <= 0.25 * center.radius;
+
+  /// What an edge becomes in a circle that touches both of its features from inside, one of them an arc of it. At the
+  /// centre they are equally far, and elsewhere in the circle only along one radius. Chords have edges there instead.
+  struct InCircle {
+    OutlineNode center{};
+    bool is_center = false;  ///< the edge becomes the centre; otherwise nothing
+  };
+  std::optional<InCircle> in_circle(Face f, Face g, const OutlineFeature& a, const OutlineFeature& b) const {
+    for (const auto& [arc, other] : {std::pair(&a, &b), {&b, &a}}) {
+      if (!arc->is_arc || (other->center && !other->is_arc)) continue;
+      const OutlineNode center{*arc->center, distance(arc->from, *arc->center)};
+      const double away = std::abs(NearFeature::of(*other, center.center).distance({}) - center.radius);
+      constexpr double kLeast = 0x1p-40;
+      constexpr double kMost = 0x1p-8;
+      if (!(away <= std::clamp(tolerance_, kLeast * center.radius, kMost * center.radius))) continue;
+      const double reach = std::max(distance(node_of_chords(f, features(f)).center, center.center),
+                                    distance(node_of_chords(g, features(g)).center, center.center));
+      constexpr double kAbout = 0.25;
+      if (reach <= kAbout * center.radius && is_empty(f, center) && is_empty(g, center))
+        return InCircle{center, true};
+      const bool is_smooth =
+          arc->smooth.stretch != SmoothPlace::kNone && arc->smooth.stretch == other->smooth.stretch;
+      if (is_smooth && reach < center.radius) return InCircle{center, false};
+    }
+    return std::nullopt;
   }
 
   void collect() {
@@ -354,14 +378,14 @@ class InnerVoronoi {
       }
       const OutlineFeature& first = out_.features[feature(a)];
       const OutlineFeature& second = out_.features[feature(b)];
-      if (const auto center = center_of_arc(first, second);
-          center && lies_about(f, *center) && lies_about(g, *center)) {
+      if (first.smooth.is_next_to(second.smooth) || are_a_sliver(first, second)) continue;
+      if (const auto inside = in_circle(f, g, first, second)) {
+        if (!inside->is_center) continue;
         same.join(same.root(face(f)), same.root(face(g)));
-        centers.emplace_back(face(f), *center);
+        centers.emplace_back(face(f), inside->center);
         continue;
       }
-      if (!first.smooth.is_next_to(second.smooth) && !are_a_sliver(first, second))
-        kept.push_back({{feature(a), feature(b)}, {face(f), face(g)}, region});
+      kept.push_back({{feature(a), feature(b)}, {face(f), face(g)}, region});
     }
     Table<GraphFaceSlot, std::optional<OutlineNode>> arc_center(centers.empty() ? 0 : face_.size());
     for (const auto& [at, center] : centers) arc_center[same.root(at)] = center;
@@ -490,6 +514,17 @@ class InnerVoronoi {
     return distance(out.center, usual.center) + out.radius <= (1.0 + kAway) * usual.radius ? out : usual;
   }
 
+  /// The node above a point at which a side ends, if two of the features are these.
+  std::optional<OutlineNode> above_end(const Triple& around, const NearFeatures& near, Vec2 about) const {
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t k = 1; k < 3; ++k) {
+        const std::size_t j = (i + k) % 3;
+        if (!out_.features[around[i]].is_point() || !touch(around[i], around[j])) continue;
+        if (const auto foot = equally_far_above_end(near, i, j, about)) return foot;
+      }
+    return std::nullopt;
+  }
+
   NearFeatures round(const Triple& around, Vec2 origin) const {
     const auto near = [&](OutlineFeatureSlot i) { return NearFeature::of(out_.features[i], origin); };
     return {near(around[0]), near(around[1]), near(around[2])};
@@ -501,6 +536,17 @@ class InnerVoronoi {
       return NearFeature::of(feature, origin);
     };
     return {near(around[0]), near(around[1]), near(around[2])};
+  }
+
+  /// False if the nearest point on the circle of a round side is far from the chord, where the curve need not be.
+  bool has_foot_of(OutlineFeatureSlot slot, Vec2 p) const {
+    const OutlineFeature& feature = out_.features[slot];
+    if (!feature.center) return true;
+    const double radius = distance(feature.from, *feature.center);
+    const Vec2 way = p - *feature.center;
+    const Vec2 foot = *feature.center + (radius / length(way)) * way;
+    constexpr double kTwoChords = 0.125;  // in radians
+    return distance(foot, feature.from) <= 2.0 * std::max(distance(feature.from, feature.to), kTwoChords * radius);
   }
 
   /// The node of the curves that chords stand for, beside that of the chords. Nothing if all sides are straight, at ends
@@ -518,13 +564,16 @@ class InnerVoronoi {
       ++pairs;
       first = i;
     }
-    if (pairs == 0) found = equally_far(near, node.center);
+    if (pairs == 0) found = above_end(around, near, node.center);
+    if (pairs == 0 && !found) found = equally_far(near, node.center);
     if (pairs == 1) {
       const std::size_t second = (first + 1) % 3;
       found = equally_far_from_two(near, (first + 2) % 3, is_round(around[first]) ? first : second, node.center);
     }
-    if (found && distance(found->center, node.center) <= 0.5 * node.radius) return found;
-    return std::nullopt;
+    if (!found || !(distance(found->center, node.center) <= 0.5 * node.radius)) return std::nullopt;
+    for (std::size_t i = 0; i < 3; ++i)
+      if (!has_foot_of(around[i], found->center + origin)) return std::nullopt;
+    return found;
   }
 
   OutlineNode node_from(Vec2 origin, const Triple& around) const {
@@ -534,12 +583,7 @@ class InnerVoronoi {
       return site_between<Traits, Doubles>(feature.from - origin, feature.to - origin);
     };
     const Vec2 at = vec_of(Traits::Construct_svd_vertex_2()(site(around[0]), site(around[1]), site(around[2])));
-    for (std::size_t i = 0; i < 3; ++i)
-      for (std::size_t k = 1; k < 3; ++k) {
-        const std::size_t j = (i + k) % 3;
-        if (!out_.features[around[i]].is_point() || !touch(around[i], around[j])) continue;
-        if (const auto foot = equally_far_above_end(near, i, j, at)) return *foot;
-      }
+    if (const auto foot = above_end(around, near, at)) return *foot;
     if (const auto polished = equally_far(near, at)) return *polished;
     return exact_node(origin, around, near);
   }
@@ -569,6 +613,7 @@ class InnerVoronoi {
   JobControl& job_;
   bool shows_progress_;
   double unit_ = 1.0;
+  double tolerance_ = 0.0;  // within which arcs touch, scaled
   Graph graph_;
   std::unordered_map<const void*, OutlineFeatureSlot> feature_;
   std::unordered_map<const void*, GraphFaceSlot> face_;
@@ -581,9 +626,10 @@ class InnerVoronoi {
 
 }  // namespace
 
-OutlineGraph inner_voronoi(std::span<const OutlineSide> sides, JobControl& job, bool shows_progress) {
+OutlineGraph inner_voronoi(std::span<const OutlineSide> sides, double tolerance, JobControl& job,
+                           bool shows_progress) {
   if (sides.empty()) return {};
-  return InnerVoronoi(sides, job, shows_progress).run();
+  return InnerVoronoi(sides, tolerance, job, shows_progress).run();
 }
 
 }  // namespace mes

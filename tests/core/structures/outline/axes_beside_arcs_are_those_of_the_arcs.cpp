@@ -124,6 +124,65 @@ TEST_CASE("between a circle and a circle, a line, or a point the axis is their b
   }
 }
 
+TEST_CASE("arcs that are rounded, or end at corners, have no branches that their shapes lack") {
+  // A slot whose arcs and sides meet up to a thousandth, with short lines between.
+  const double turned = 0.7;
+  const auto placed = [&](Vec2 p) {
+    const Vec2 at = std::cos(turned) * p + std::sin(turned) * perpendicular(p);
+    return Vec2{std::round(1e3 * at.x) / 1e3, std::round(1e3 * at.y) / 1e3};
+  };
+  PlaneCurve rounded(placed({-5, -2}));
+  for (const double side : {1.0, -1.0}) {
+    rounded.line_to(placed({side * 5, side * -2}));
+    const Vec2 center = placed({side * 5, 0});
+    const double start = turned + (side > 0 ? -0.5 : 0.5) * kFlatAngle;
+    rounded.line_to(center + 2.0 * Vec2{std::cos(start), std::sin(start)});
+    turn(rounded, center, 2, start, kFlatAngle);
+  }
+  rounded.close();
+  const AxisBench middle(data_of_curves({rounded}));
+  CHECK(middle.length() == Approx(10).margin(1e-2));
+  CHECK(middle.count("outline-axis", "edges") <= 3);
+
+  // Three teeth on one circle: the arcs are parts of it, and their ends are corners.
+  PlaneCurve teeth({10, 0});
+  for (int i = 0; i < 3; ++i) {
+    turn(teeth, {}, 10, 2 * kFlatAngle * i / 3, 0.5 * kFlatAngle);
+    teeth.line_to(11.0 *
+                  Vec2{std::cos(kFlatAngle * (2.0 * i / 3 + 0.58)), std::sin(kFlatAngle * (2.0 * i / 3 + 0.58))});
+    teeth.line_to(10.0 * Vec2{std::cos(2 * kFlatAngle * (i + 1) / 3), std::sin(2 * kFlatAngle * (i + 1) / 3)});
+  }
+  teeth.close();
+  const AxisBench gear(data_of_curves({teeth}));
+  CHECK(gear.has_node({}, 10));
+  CHECK(gear.count("outline-axis", "edges") < 40);
+
+  // A box with an arc that bulges out of its upper side: below the centre of the arc its ends are nearest.
+  PlaneCurve box({-50, 0});
+  for (const Vec2 p : {Vec2{50, 0}, {50, 40}, {10, 40}}) box.line_to(p);
+  const double height = 10 / std::tan(0.3 * kFlatAngle);
+  turn(box, {0, 40 - height}, std::hypot(10, height), 0.2 * kFlatAngle, 0.6 * kFlatAngle);
+  box.line_to({-50, 40});
+  box.close();
+  const AxisBench dome(data_of_curves({box}));
+  const auto to_side = [](Vec2 p, Vec2 from, Vec2 to) {
+    const Vec2 along = to - from;
+    return distance(p, from + std::clamp(dot(p - from, along) / dot(along, along), 0.0, 1.0) * along);
+  };
+  const auto from_box = [&](Vec2 p) {
+    const Vec2 center{0, 40 - height};
+    double out =
+        std::min({to_side(p, {-50, 0}, {50, 0}), to_side(p, {50, 0}, {50, 40}), to_side(p, {50, 40}, {10, 40}),
+                  to_side(p, {-10, 40}, {-50, 40}), to_side(p, {-50, 40}, {-50, 0})});
+    if (p.y - center.y > std::abs(p.x) * height / 10)
+      out = std::min(out, std::hypot(10, height) - distance(p, center));
+    return out;
+  };
+  REQUIRE(dome.count("outline-axis", "nodes") >= 10);
+  for (const OutlineNode& node : dome.axis().graph().nodes)
+    CHECK(from_box(node.center) == Approx(node.radius).margin(1e-9));
+}
+
 TEST_CASE("curved edges leave the bisector by a thousandth of the radius at most") {
   const AxisBench half(data_of_curves({half_disk()}));
   const auto from_half_disk = [](Vec2 p) { return std::min(p.y, 7 - length(p)); };

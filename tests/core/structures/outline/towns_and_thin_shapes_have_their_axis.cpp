@@ -82,12 +82,12 @@ TEST_CASE("the axes of the parts of a town are the axis of the town") {
           sides.add(ring[i], ring[(i + 1) % ring.size()], is_closed);
     JobControl job;
     const std::vector<OutlineSide> all = sides.take(job);
-    const OutlineGraph whole = inner_voronoi(all, job);
+    const OutlineGraph whole = inner_voronoi(all, 0.0, job);
     std::vector<PlainEdge> together;
     std::uint32_t own_regions = 0;
     std::size_t own_sides = 0;
     for (const std::vector<OutlineSide>& part : independent_parts(all)) {
-      const OutlineGraph graph = inner_voronoi(part, job);
+      const OutlineGraph graph = inner_voronoi(part, 0.0, job);
       for (const PlainEdge& edge : edges_of(graph)) together.push_back(edge);
       own_regions += graph.regions;
       own_sides += part.size();
