@@ -527,6 +527,12 @@ Editor::Work Editor::work() const {
           .layers = saved_layers_ && layers_ != nullptr ? layers_->revision() : 0};
 }
 
+void Editor::mark_unsaved() {
+  constexpr std::uint64_t kNever = ~std::uint64_t{0};
+  saved_revision_ = kNever;
+  saved_lesson_ = timeline_.lesson() == Lesson{} ? timeline_.lesson_revision() : kNever;
+}
+
 bool Editor::is_modified() const {
   if (document_.revision() != saved_revision_ || is_lesson_modified()) return true;
   if (!saved_layers_ || layers_ == nullptr) return false;

@@ -206,8 +206,8 @@ class Editor {
   void mark_saved() { mark_saved(document_.revision()); }
   /// Notes that a file holds the document of this revision.
   void mark_saved(std::uint64_t revision) { saved_revision_ = revision; }
-  /// Notes that no file holds this state.
-  void mark_unsaved() { saved_revision_ = ~std::uint64_t{0}; }
+  /// Notes that no file holds this state, nor its lesson if there is one.
+  void mark_unsaved();
 
  private:
   using Posted = std::shared_ptr<const DocumentDelta>;

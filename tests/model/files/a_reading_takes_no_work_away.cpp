@@ -286,6 +286,32 @@ TEST_CASE("recovered work has no file and counts as unsaved") {
   CHECK_FALSE(bench.editor.is_modified());
 }
 
+TEST_CASE("parts of recovered work that a file of samples does not hold stay unsaved") {
+  const Annotations annotations{{.text = "here", .anchors = {{}}}};
+  const Lesson lesson{.steps = {{.caption = "one"}}};
+  for (const bool has_lesson : {false, true}) {
+    for (const bool has_annotation : {false, true}) {
+      Session work{.data = std::make_shared<SampleData>(SampleData{{{1, 2}}, {}, {}})};
+      if (has_lesson) work.lesson = lesson;
+      if (has_annotation) work.entries.push_back(TimelineEdit{.name = "Annotate", .annotations = annotations});
+      Bench bench;
+      const auto file = bench.folder.write("a.poff", "POFF 1 0 0\n1 2\n");
+      bench.files.recover(std::make_shared<const Session>(work), SourceFile{file, fingerprint_of(contents_of(file))});
+      REQUIRE_FALSE(bench.outcome().error);
+      CHECK(bench.files.file() == file);
+      CHECK(bench.editor.is_modified());
+      REQUIRE(bench.save());
+      CHECK(bench.files.unsaved().lesson == has_lesson);
+      CHECK(bench.files.unsaved().annotations == has_annotation);
+      CHECK_FALSE(bench.files.unsaved().samples);
+      CHECK(bench.editor.is_modified() == (has_lesson || has_annotation));
+      REQUIRE(bench.save_as(bench.folder / "a.json"));
+      CHECK(bench.is_complete());
+      CHECK_FALSE(bench.editor.is_modified());
+    }
+  }
+}
+
 TEST_CASE("recovered work is saved in the file in which it was kept, unless that has changed meanwhile") {
   for (const bool has_changed : {false, true}) {
     const test::TemporaryFolder folder;
