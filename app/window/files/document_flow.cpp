@@ -72,20 +72,12 @@ void DocumentFlow::bind_files(ActionBindings& actions) {
                    uses_.messages.clear();
                  });
                }});
+  // The question about unsaved work comes with the chosen file: a picture asks it when it is traced.
   actions.bind(ActionId::open, {[this] {
-                 with_saved_work([this] {
-                   const auto open_one = [this](const fs::path& file) {
-                     if (is_picture_to_trace(file)) {
-                       tracing_.open(file);
-                       return;
-                     }
-                     const std::vector<fs::path> files = without_bundles({file.string()});
-                     if (files.empty()) return;
-                     traced_with_next_.clear();
-                     open_documents(files);
-                   };
-                   uses_.dialogs.browser.ask_open(browse_folder(), remembering(open_one));
-                 });
+                 uses_.board.canvas().cancel_gesture();
+                 uses_.lesson.end();
+                 uses_.dialogs.browser.ask_open(browse_folder(),
+                                                remembering([this](const fs::path& file) { open({file.string()}); }));
                }});
   actions.bind(ActionId::keep_degrees, {[this] {
                                           bool& keeps = uses_.settings.keep_degrees;

@@ -106,6 +106,43 @@ TEST_CASE("unsaved work is asked about before a picture is traced, and stays whe
   CHECK(window.title().starts_with("* house.poff"));
 }
 
+TEST_CASE("a file chosen by Open is asked about once, a picture when it is traced") {
+  const bool is_picture = GENERATE(true, false);
+  DrivenProgram window;
+  const VirtualScreen& screen = window.screen;
+  window.folder.write("disk.pgm", disk());
+  window.folder.write("square.poff", "POFF 4 0 0\n0 0\n4 0\n4 4\n0 4\n");
+  window.folder.write("house.poff", kHouse);
+  window.start("house.poff");
+  static_cast<void>(window.drawn());
+  window.press("i");
+  screen.click({500, 400});
+  REQUIRE(eventually([&] { return window.title().starts_with("* house.poff"); }));
+  static_cast<void>(screen.settled());
+  const auto is_dimmed = [&] { return !screen.shoot().is_white(90, 700); };
+  window.press("ctrl+o");
+  REQUIRE(eventually(is_dimmed));
+  static_cast<void>(screen.settled());
+  screen.xdotool(std::string("type --delay 20 ") + (is_picture ? "disk" : "square"));
+  static_cast<void>(screen.settled());
+  window.press("Return");
+  if (is_picture) {
+    const auto is_outline = [](Color c) { return c.r > 200 && c.g < 120 && c.b < 80; };
+    REQUIRE(eventually([&] { return screen.shoot().count(is_outline) > 500; }));
+    static_cast<void>(screen.settled());
+    window.press("Return");
+  }
+  // The question covers little more than the middle of the window.
+  REQUIRE(eventually([&] { return is_dimmed() && !screen.shoot().is_white(640, 150); }));
+  static_cast<void>(screen.settled());
+  CHECK(window.title().starts_with("* house.poff"));
+  window.press("Right");
+  window.press("Return");  // "Don't save"
+  CHECK(eventually([&] { return window.title().starts_with(is_picture ? "* disk.pgm" : "square.poff"); }));
+  CHECK(eventually([&] { return !is_dimmed(); }));
+  CHECK(bytes_of(window.folder / "house.poff") == kHouse);
+}
+
 TEST_CASE("a picture to be traced waits until the question about work that was left is answered") {
   DrivenProgram window;
   const VirtualScreen& screen = window.screen;
