@@ -183,7 +183,9 @@ void Autosave::follow(const Editor& editor, const std::function<Session()>& head
     generation_ = timeline.generation();
     work.ends = std::exchange(has_journal_, false);
     told_ = 0;
+    saved_ = 0;
   }
+  if (!editor.is_modified()) saved_ = timeline.settled();
   if (has_journal_ && is_renewed) {
     work.renews = true;
     work.head = head();
@@ -196,6 +198,9 @@ void Autosave::follow(const Editor& editor, const std::function<Session()>& head
   }
   if (has_journal_ && told_ < timeline.settled()) {
     work.entries = timeline.entries().between(told_, timeline.settled());
+    // These are the first entries of a new journal.
+    if (told_ == 0) work.saved_entries = saved_;
+    work.is_lesson_saved = !editor.is_lesson_modified();
     told_ = timeline.settled();
   }
   if (work.is_empty()) return;
@@ -263,7 +268,11 @@ void Autosave::write(Work& work, Journal& journal) {
     journal.unwritten = write_journal_head(work.head);
   }
   if (work.file && !work.saved) journal.unwritten += write_journal_file(*work.file);
-  for (const TimelineEntry& entry : work.entries) journal.unwritten += write_journal_line(entry);
+  for (std::size_t i = 0; i < work.entries.size(); ++i) {
+    journal.unwritten += write_journal_line(work.entries[i]);
+    if (i + 1 == work.saved_entries)
+      journal.unwritten += work.is_lesson_saved ? write_journal_saved() : write_journal_edits_saved();
+  }
   if (work.saved) journal.unwritten += write_journal_saved(work.file);
 }
 

@@ -66,6 +66,8 @@ class Autosave {
     Session head;
     std::optional<SourceFile> file;
     std::vector<TimelineEntry> entries;
+    std::size_t saved_entries = 0;  // number of these that a file holds
+    bool is_lesson_saved = false;
     bool is_empty() const { return !begins && !renews && !ends && !saved && entries.empty(); }
   };
   struct Journal;
@@ -78,6 +80,7 @@ class Autosave {
   std::uint64_t generation_ = 0;
   std::uint64_t lesson_revision_ = 0;
   std::size_t told_ = 0;
+  std::size_t saved_ = 0;  // number of entries that a file holds
   bool has_journal_ = false;
 
   std::mutex mutex_;

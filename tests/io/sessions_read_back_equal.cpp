@@ -551,6 +551,8 @@ TEST_CASE("a journal is read up to where it was torn") {
   CHECK(all->session.layers.image.file.empty());
   CHECK(read_journal(text + write_journal_saved(), "x.journal")->unsaved_edits == 0);
   CHECK(read_journal(text + write_journal_saved() + write_journal_line(Undone{}), "x.journal")->unsaved_edits == 1);
+  CHECK(read_journal(text + write_journal_edits_saved(), "x.journal")->unsaved_edits ==
+        (session.lesson.steps.empty() ? 0U : 1U));
   CHECK_FALSE(all->file);
   // A hash has 64 bits, more than a double keeps.
   const SourceFile kept{"/tmp/a \"b\" \xC3\xBC.json", {.size = 12, .hash = 0xffff'ffff'ffff'fff1}};

@@ -89,6 +89,8 @@ std::string write_journal_head(const Session& session);
 std::string write_journal_line(const TimelineEntry& entry);
 /// The journal line that marks everything before it as saved, in this file if one is given.
 std::string write_journal_saved(const std::optional<SourceFile>& file = {});
+/// The journal line that marks the edits before it as saved, but not the lesson.
+std::string write_journal_edits_saved();
 /// The journal line that names the file in which the document is kept, and its content when read or saved.
 std::string write_journal_file(const SourceFile& file);
 struct Journaled {

@@ -469,9 +469,9 @@ Expected<Journaled> read_journal(std::string_view text, const std::string& file,
     }
     try {
       const JsonView object = JsonView::whole(this_line);
-      if (object.find("saved")) {
+      if (const JsonView saved = object.find("saved")) {
         out.unsaved_edits = 0;
-        has_unsaved_lesson = false;
+        has_unsaved_lesson = has_unsaved_lesson && !saved.is_flag();
       }
       if (const JsonView kept = object.find("kept_in")) out.file = source_file_from(kept);
       const auto entry = entry_from(object);

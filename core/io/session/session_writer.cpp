@@ -280,6 +280,10 @@ std::string write_journal_saved(const std::optional<SourceFile>& file) {
   return "{\"saved\":true}\n" + (file ? write_journal_file(*file) : std::string());
 }
 
+std::string write_journal_edits_saved() {
+  return "{\"saved\":\"edits\"}\n";
+}
+
 // The hash is text: numbers of JSON are doubles in many readers. A name that is not UTF-8 cannot be written as JSON.
 std::string write_journal_file(const SourceFile& file) {
   constexpr std::string_view kReplaced = "\xEF\xBF\xBD";

@@ -209,6 +209,56 @@ TEST_CASE("a lesson that no file holds is found after the program is gone, with 
   });
 }
 
+TEST_CASE("edits that the opened file holds are not counted as unsaved") {
+  const TemporaryFolder folder;
+  Editor before({});
+  REQUIRE(before.load({{{0, 0}}, {}}));
+  for (int i = 1; i < 10; ++i) REQUIRE(before.insert(std::array{Vec2{1.0 * i, 1.0}}, "Insert"));
+  const Lesson lesson{.steps = {{.caption = "one", .position = 3}}};
+  const auto edits_after = [&](const Lesson& opened, bool is_recovered, auto edit) {
+    Editor editor({});
+    DocumentReplay replay;
+    REQUIRE(replay.begin(*before.timeline().data()));
+    for (const TimelineEntry& entry : before.timeline().entries()) REQUIRE(replay.apply(entry));
+    editor.restore(std::move(replay), before.timeline().data(), before.timeline().entries(), opened);
+    if (is_recovered) editor.mark_unsaved();
+    {
+      Autosave autosave(folder.path(), {}, milliseconds(0));
+      const auto follow = [&] {
+        autosave.follow(editor, [&] {
+          Session out = head_of(editor);
+          out.lesson = editor.lesson();
+          return out;
+        });
+        autosave.flush();
+      };
+      follow();
+      edit(editor, follow);
+      follow();
+    }
+    FoundWork found = find_left_work(folder.path());
+    REQUIRE(found.works.size() == 1);
+    CHECK(digest_of(found.works[0].session()) == editor.document().digest());
+    CHECK(found.works[0].session().lesson == editor.lesson());
+    const std::size_t out = found.works[0].edits();
+    found.works[0].remove();
+    return out;
+  };
+  const auto insert = [](Editor& editor, auto) { REQUIRE(editor.insert(std::array{Vec2{2, 3}}, "Insert")); };
+  const auto teach = [&](Editor& editor, auto) { editor.set_lesson({.title = "Mine", .steps = lesson.steps}); };
+  const auto insert_and_teach = [&](Editor& editor, auto follow) {
+    insert(editor, follow);
+    follow();
+    teach(editor, follow);
+  };
+  for (const Lesson& opened : {Lesson{}, lesson}) {
+    CHECK(edits_after(opened, false, insert) == 1);
+    CHECK(edits_after(opened, false, teach) == 1);
+    CHECK(edits_after(opened, false, insert_and_teach) == 1);
+    CHECK(edits_after(opened, true, insert) == 10);
+  }
+}
+
 TEST_CASE("a gesture that is not finished waits; an unreadable journal is set aside with a message") {
   const TemporaryFolder folder;
   Editor editor({});
