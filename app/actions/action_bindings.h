@@ -42,6 +42,12 @@ class ActionBindings {
         need.holds = [otherwise, holds = std::move(need.holds)] { return otherwise() || holds(); };
       return out;
     }
+    /// The same condition, with another need that is checked first.
+    Condition after(Need need) const {
+      Condition out = *this;
+      out.needs_.insert(out.needs_.begin(), std::move(need));
+      return out;
+    }
 
    private:
     const Need* first_missing() const {

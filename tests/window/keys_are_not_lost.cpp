@@ -118,6 +118,19 @@ TEST_CASE("a key that does nothing during a gesture says so, and the gesture goe
   CHECK(eventually([&] { return house.window.title().starts_with("* house.poff"); }));
 }
 
+TEST_CASE("Ctrl+Z after a change of the lesson says what takes it back") {
+  const House house;
+  house.press("ctrl+z");
+  const Screenshot nothing = house.screen().settled();
+  house.press("ctrl+k");
+  house.screen().xdotool("type --delay 20 mark-step");
+  static_cast<void>(house.screen().settled());
+  house.press("Return");
+  REQUIRE(eventually([&] { return house.window.title().starts_with("* house.poff"); }));
+  CHECK(house.press("ctrl+z").changes(kStatus, nothing) > 100);
+  CHECK(house.window.title().starts_with("* house.poff"));
+}
+
 TEST_CASE("Ctrl held for a lasso takes no key's action away") {
   const House house;
   house.screen().xdotool("mousemove 300 400");

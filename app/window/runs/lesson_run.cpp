@@ -39,6 +39,12 @@ void LessonRun::bind(ActionBindings& actions) {
   bind_step(ActionId::previous_bundle, &LessonPresenter::go_back, false);
   bind_step(nth(ActionId::first_nudge, 0), &LessonPresenter::go_back, true);
   bind_step(nth(ActionId::first_nudge, 1), &LessonPresenter::go_on, true);
+  // Steps of undo do not affect the lesson, which takes its own changes back.
+  ActionBindings::Binding undo = actions.binding(ActionId::undo);
+  undo.enabled = undo.enabled.after(
+      {[this, holds = undo.enabled] { return holds.holds() || !lesson_editor_.can_take_back(); },
+       "the arrow of the panel Lesson takes back its last change"});
+  actions.bind(ActionId::undo, std::move(undo));
   actions.bind(ActionId::mark_step,
                {[this] { lesson_editor_.mark(); },
                 {{[this] { return !is_running(); }, "a lesson is being presented"},

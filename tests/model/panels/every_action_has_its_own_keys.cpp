@@ -125,6 +125,12 @@ TEST_CASE("of several things that are missing the first is said, each in words o
   is_running = is_reading = false;
   CHECK(bindings.is_enabled(ActionId::present_lesson));
   CHECK(bindings.is_enabled(ActionId::next_bundle));
+  // What is put before the others is said first.
+  bindings.bind(ActionId::undo, {[] {}, condition.after({[&] { return is_running; }, "nothing runs"})});
+  has_lesson = false;
+  CHECK(bindings.missing(ActionId::undo) == "nothing runs");
+  is_running = true;
+  CHECK(bindings.missing(ActionId::undo) == "there is no lesson");
 }
 
 TEST_CASE("an action that runs out of memory ends there, and the next one runs") {
