@@ -139,7 +139,7 @@ void BranchesPanel::draw_choices() {
 void BranchesPanel::draw_diagram(float height, bool is_large) {
   const float unit = uses_.gui.unit();
   const auto choice = [&](const char* label, Diagram diagram, const char* explanation) {
-    if (ImGui::RadioButton(label, diagram_ == diagram)) diagram_ = diagram;
+    if (radio_button(label, diagram_ == diagram)) diagram_ = diagram;
     tooltip(uses_.gui, explanation);
   };
   choice("Lambda", Diagram::lambda,

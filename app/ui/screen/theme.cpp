@@ -26,8 +26,8 @@ constexpr ThemeColors kLight{.is_dark = false,
                              .button = rgb(0xE6EAEE),
                              .button_hovered = rgb(0xD9E7F1),
                              .button_active = rgb(0xBFD9EB),
-                             .grab = rgb(0x9CC8E4),
-                             .grab_active = rgb(0x7CB6DA),
+                             .grab = rgb(0x2F7CAF),
+                             .grab_active = rgb(0x1F6FA5),
                              .scrollbar = rgb(0xC6CCD3),
                              .scrollbar_hovered = rgb(0xACB4BD),
                              .scrollbar_active = rgb(0x8E98A3),
@@ -56,8 +56,8 @@ constexpr ThemeColors kDark{.is_dark = true,
                             .button = rgb(0x3B424A),
                             .button_hovered = rgb(0x3A4B59),
                             .button_active = rgb(0x40637D),
-                            .grab = rgb(0x2F6385),
-                            .grab_active = rgb(0x356D92),
+                            .grab = rgb(0x6AAEDA),
+                            .grab_active = rgb(0x86C5EC),
                             .scrollbar = rgb(0x4D5660),
                             .scrollbar_hovered = rgb(0x5E6873),
                             .scrollbar_active = rgb(0x727D89),
@@ -85,7 +85,6 @@ ThemeColors theme_colors(Theme theme, bool for_projector) {
   out.panel = out.raised = out.is_dark ? rgb(0x000000) : rgb(0xFFFFFF);
   out.border = out.is_dark ? rgb(0x8E97A1) : rgb(0x7C858F);
   out.accent = out.is_dark ? rgb(0x7CCBFF) : rgb(0x00568A);
-  out.grab = out.is_dark ? rgb(0x2A6A94) : out.grab;
   out.warning = out.is_dark ? rgb(0xFFB27A) : rgb(0x8F3A00);
   return out;
 }

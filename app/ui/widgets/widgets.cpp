@@ -110,14 +110,32 @@ bool begin_context_popup(const Gui& gui, const char* id) {
   return begin_popup(gui, id);
 }
 
-bool checkbox(const char* label, bool* value) {
+namespace {
+/// Draws a rim around a box or a circle, whose ground hardly differs from that of the panel.
+template <class Draw>
+bool with_rim(Draw draw) {
   constexpr float kEdgeOfLetters = 1.0F / 16.0F;
   ImGui::PushStyleColor(ImGuiCol_Border, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
   ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, std::max(1.0F, kEdgeOfLetters * ImGui::GetFontSize()));
-  const bool is_changed = ImGui::Checkbox(label, value);
+  const bool is_changed = draw();
   ImGui::PopStyleVar();
   ImGui::PopStyleColor();
   return is_changed;
+}
+}  // namespace
+
+void heading(const Gui& gui, const std::string& text) {
+  ImGui::PushFont(gui.bold());
+  paragraph(text);
+  ImGui::PopFont();
+}
+
+bool checkbox(const char* label, bool* value) {
+  return with_rim([&] { return ImGui::Checkbox(label, value); });
+}
+
+bool radio_button(const char* label, bool is_chosen) {
+  return with_rim([&] { return ImGui::RadioButton(label, is_chosen); });
 }
 
 bool default_button(const Gui& gui, const char* label, ImVec2 size, bool is_default) {

@@ -47,8 +47,13 @@ SplitterMove splitter(const Gui& gui, const char* id, const PanelArea& area);
 SplitterMove drag_handle(const Gui& gui, const char* id, const PanelArea& area, const std::string& explanation,
                          const char* back);
 
+/// The title of a dialog: a bold line.
+void heading(const Gui& gui, const std::string& text);
+
 /// As ImGui::Checkbox, with an edge that can be seen while it is not checked.
 bool checkbox(const char* label, bool* value);
+/// A radio button of the same look. Returns true when it is clicked.
+bool radio_button(const char* label, bool is_chosen);
 
 /// The text, or as much of its beginning as fits into the width, with "...".
 std::string elided(const std::string& text, float width);

@@ -119,8 +119,6 @@ TEST_CASE("texts of the panels are legible in every theme") {
     std::vector<Ground> everything = buttons;
     add(everything, "a field in use", theme.field_active);
     add(everything, "a button that is held", theme.button_active);
-    add(everything, "the grip of a slider", theme.grab);
-    add(everything, "a grip that is held", theme.grab_active);
     add(everything, "a message", theme.warning_soft);
     std::vector<Ground> messages = controls;
     add(messages, "a message", theme.warning_soft);
@@ -147,6 +145,20 @@ TEST_CASE("icons and lights are seen in every theme, and so is what cannot be us
       const auto alpha = static_cast<double>(style.DisabledAlpha);
       CHECK(contrast(laid_over(theme.text, alpha, ground.color), ground.color) >= kIcon);
     }
+  }
+}
+
+// Sliders print no text on their grips: the number has a field of its own.
+TEST_CASE("grips of sliders and rims of boxes are seen in every theme") {
+  for (const auto& [name, theme] : all_looks()) {
+    std::vector<Ground> rails;
+    add(rails, "the rail of a slider", theme.field);
+    add(rails, "the rail of a slider under the pointer", theme.field_hovered);
+    expect(name, "grip", theme.grab, rails, kIcon);
+    add(rails, "the rail of a slider in use", theme.field_active);
+    expect(name, "grip that is held", theme.grab_active, rails, kIcon);
+    // The rim of a check box or a radio button has the colour of quiet text.
+    expect(name, "rim", theme.text_quiet, pages(theme), kIcon);
   }
 }
 
