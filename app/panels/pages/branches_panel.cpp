@@ -51,6 +51,16 @@ std::string cell_text(const AxisBranch& branch, std::size_t row, BranchColumn co
   }
 }
 
+/// Draws words beside a vertical line of the plot, above what is plotted.
+void draw_above(const Gui& gui, const Plot& plot, float x, const std::string& words) {
+  const float gap = 4 * gui.unit();
+  const float width = ImGui::CalcTextSize(words.c_str()).x;
+  const bool fits = x + gap + width <= plot.inside().at.x + plot.inside().size.x;
+  ImGui::GetWindowDrawList()->AddText(
+      {fits ? x + gap : x - gap - width, plot.above() - 0.5F * ImGui::GetTextLineHeight()}, Plot::kInk,
+      words.c_str());
+}
+
 }  // namespace
 
 void BranchesPanel::refresh_rows() {
@@ -179,8 +189,8 @@ void BranchesPanel::draw_widths(float height, bool is_large) {
   hit_area("widths", size);
   const double length = stations.back().along > 0.0 ? stations.back().along : 1.0;
   const double widest = std::ranges::max(stations, {}, &Station::width).width;
-  const Plot plot(uses_.gui, {at, size}, {0.0, length, with_unit("station")}, {0.0, 1.1 * widest, with_unit("width")},
-                  is_large);
+  const Plot plot(uses_.gui, {at, size}, {0.0, length, with_unit("station")},
+                  {.high = 1.1 * widest, .title = with_unit("width"), .above = ""}, is_large);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   plot.draw_frame(list);
   std::vector<ImVec2> line;
@@ -190,11 +200,8 @@ void BranchesPanel::draw_widths(float height, bool is_large) {
   const auto last = static_cast<double>(stations.size() - 1);
   const Station& here = stations[static_cast<std::size_t>(std::lround(std::clamp(station_, 0.0, 1.0) * last))];
   const float x = plot.x_of(here.along);
-  list.AddLine({x, plot.inside().at.y}, {x, plot.y_of(0.0)}, to_imgui(palette::blue), 2 * unit);
-  const std::string words = fmt::format("{:.4g} at {:.4g}", here.width, here.along);
-  const float width = ImGui::CalcTextSize(words.c_str()).x;
-  const bool fits = x + 4 * unit + width <= plot.inside().at.x + plot.inside().size.x;
-  list.AddText({fits ? x + 4 * unit : x - 4 * unit - width, plot.inside().at.y}, Plot::kInk, words.c_str());
+  list.AddLine({x, plot.top()}, {x, plot.y_of(0.0)}, to_imgui(palette::blue), 2 * unit);
+  draw_above(uses_.gui, plot, x, fmt::format("{:.4g} at {:.4g}", here.width, here.along));
   if (ImGui::IsItemHovered() || ImGui::IsItemActive()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
   if (uses_.latest.is_current()) draw_transect(here);
 }
@@ -231,7 +238,11 @@ void BranchesPanel::draw_histogram(float height, bool is_large) {
   const double most = *std::ranges::max_element(histogram_.lengths);
   // Square roots keep short parts, such as spurious branches, visible beside long ones.
   const Plot plot(uses_.gui, {at, size}, {0.0, histogram_.high, with_unit(shows_lambda ? "lambda" : "radius")},
-                  {0.0, most, "length of the axis (scale of square roots)", true}, is_large);
+                  {.high = most,
+                   .title = "length of the axis (scale of square roots)",
+                   .is_root = true,
+                   .above = shows_lambda ? std::optional<std::string>("") : std::nullopt},
+                  is_large);
   plot.draw_frame(list);
   ComputationSettings settings = uses_.computation.settings();
   double& limit = settings[Parameter::lambda_limit];
@@ -257,11 +268,8 @@ void BranchesPanel::draw_histogram(float height, bool is_large) {
       if (settings != uses_.computation.settings()) uses_.computation.set(settings);
     }
     const float x = plot.x_of(limit);
-    list.AddLine({x, plot.inside().at.y}, {x, bottom}, Plot::kInk, 2 * unit);
-    const std::string words = fmt::format("limit {:.4g}", limit);
-    const float width = ImGui::CalcTextSize(words.c_str()).x;
-    const bool fits = x + 4 * unit + width <= plot.inside().at.x + plot.inside().size.x;
-    list.AddText({fits ? x + 4 * unit : x - 4 * unit - width, plot.inside().at.y}, Plot::kInk, words.c_str());
+    list.AddLine({x, plot.top()}, {x, bottom}, Plot::kInk, 2 * unit);
+    draw_above(uses_.gui, plot, x, fmt::format("limit {:.4g}", limit));
     if (ImGui::IsItemHovered() || ImGui::IsItemActive()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
   }
   if (ImGui::IsItemHovered() && !ImGui::IsItemActive()) {

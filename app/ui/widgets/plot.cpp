@@ -67,12 +67,14 @@ Plot::Plot(const Gui& gui, const PanelArea& area, PlotAxis x, PlotAxis y, bool i
   const float line = ImGui::GetTextLineHeight();
   const float edge = (is_large_ ? 14 : 6) * unit;
   const float title = line + 4 * unit;
-  const float top = edge + title;
+  if (y_.above) room_above_ = ImGui::GetTextLineHeight() + 4 * unit;
+  const float top = edge + title + room_above_;
   const float bottom = edge + kTickGap * unit + line + title;
   const float height = std::max(1.0F, area.size.y - top - bottom);
   y_ticks_ = plot_ticks(y_, static_cast<double>(height), static_cast<double>(kRowsApart * unit));
   float numbers = 0.0F;
   for (const PlotTick& tick : y_ticks_) numbers = std::max(numbers, ImGui::CalcTextSize(tick.text.c_str()).x);
+  if (y_.above) numbers = std::max(numbers, ImGui::CalcTextSize(y_.above->c_str()).x);
   const float left = edge + numbers + kTickGap * unit;
   const float right = edge + 8 * unit;
   inside_ = {{area.at.x + left, area.at.y + top}, {std::max(1.0F, area.size.x - left - right), height}};
@@ -117,9 +119,14 @@ void Plot::draw_frame(ImDrawList& list) const {
     list.AddText(font_, size, {low.x - kTickGap * unit - width_of(tick.text), y - 0.5F * size}, kQuietInk,
                  tick.text.c_str());
   }
-  list.AddLine({low.x, low.y}, {low.x, high.y}, kQuietInk, thin);
+  if (y_.above && !y_.above->empty()) {
+    list.AddLine({low.x, above()}, {high.x, above()}, kQuietInk, thin);
+    list.AddText(font_, size, {low.x - kTickGap * unit - width_of(*y_.above), above() - 0.5F * size}, kQuietInk,
+                 y_.above->c_str());
+  }
+  list.AddLine({low.x, top()}, {low.x, high.y}, kQuietInk, thin);
   list.AddLine({low.x, high.y}, {high.x, high.y}, kQuietInk, thin);
-  list.AddText(font_, size, {low.x, low.y - size - 6 * unit}, kInk, y_.title.c_str());
+  list.AddText(font_, size, {low.x, top() - size - 6 * unit}, kInk, y_.title.c_str());
   list.AddText(font_, size, {high.x - width_of(x_.title), high.y + 2 * kTickGap * unit + size}, kInk,
                x_.title.c_str());
   list.PopClipRect();

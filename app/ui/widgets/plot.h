@@ -2,6 +2,7 @@
 // A frame with axes and round numbers around the diagrams of panels.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,8 @@ struct PlotAxis {
   double high = 1.0;
   std::string title{};
   bool is_root = false;  ///< positions are square roots, so that small numbers have more room; then `low` is 0
+  /// A vertical axis: the label of a line above the numbers, for values beyond them; empty: only room for words.
+  std::optional<std::string> above{};
 };
 
 struct PlotTick {
@@ -39,6 +42,9 @@ class Plot {
   float y_of(double value) const;
   double x_at(float position) const;
   const PanelArea& inside() const { return inside_; }
+  /// The middle of the room above the numbers, and the upper end of the diagram with it.
+  float above() const { return inside_.at.y - 0.5F * room_above_; }
+  float top() const { return inside_.at.y - room_above_; }
   static constexpr ImU32 kInk = IM_COL32(0, 0, 0, 255);
   static constexpr ImU32 kQuietInk = IM_COL32(90, 90, 90, 255);  ///< numbers and helping lines
 
@@ -49,6 +55,7 @@ class Plot {
   PlotAxis y_;
   bool is_large_;
   ImFont* font_;
+  float room_above_ = 0.0F;
   PanelArea inside_;
   std::vector<PlotTick> x_ticks_;
   std::vector<PlotTick> y_ticks_;

@@ -176,6 +176,23 @@ TEST_CASE("dragging the limit of lambda shows the axis that it limits") {
   CHECK(page.at_rest().changes(kCanvas, before) == 0);
 }
 
+TEST_CASE("the words about the limit of lambda stand above the bars") {
+  const Page page("shift+b", output_of(std::string(MESECINA_BINARY) + " shape gear --samples 300"));
+  const Screenshot shot = page.at_rest();
+  const PixelBox bars =
+      shot.box_of({943, 140, 1238, 480}, [](Color c) { return c.r > 200 && c.g > 80 && c.g < 140 && c.b < 60; });
+  REQUIRE(bars.right - bars.left > 100);
+  REQUIRE(bars.bottom - bars.top > 40);
+  const auto ink = [&](int top, int bottom) {
+    int out = 0;
+    for (int y = top; y < bottom; ++y)
+      for (int x = bars.left + 6; x < bars.left + 60; ++x) out += shot.is_dark(x, y) ? 1 : 0;
+    return out;
+  };
+  CHECK(ink(bars.top, bars.top + 18) == 0);
+  CHECK(ink(bars.top - 20, bars.top) > 20);
+}
+
 TEST_CASE("the chosen row of the table of branches looks like no other, with the pointer on it or away") {
   const Page page("shift+b", output_of(std::string(MESECINA_BINARY) + " shape gear --samples 300"));
   constexpr int kRow = 19;
