@@ -37,6 +37,12 @@ void draw_dot(ImDrawList& list, ImVec2 at, bool is_hole, float half, double opac
     list.AddCircleFilled(at, half, color);
 }
 
+/// The font of a program without its files lacks the sign.
+std::string infinity_word() {
+  constexpr ImWchar kInfinity = 0x221E;
+  return ImGui::GetFont()->FindGlyphNoFallback(kInfinity) != nullptr ? "\u221E" : "inf";
+}
+
 }  // namespace
 
 void PersistencePanel::draw() {
@@ -160,7 +166,8 @@ void PersistencePanel::place_dots(View& view, const Scale& scale) {
   for (std::size_t i = 0; i < scale.table->rows.size(); ++i) {
     const PersistenceRow& row = scale.table->rows[i];
     if (!(row.is_hole ? scale.has_holes : scale.has_components)) continue;
-    const Dot dot{place(row.birth, scale.width), place(row.death, scale.height), i, row.is_hole};
+    const float death = std::isinf(row.death) ? scale.never : place(row.death, scale.height);
+    const Dot dot{place(row.birth, scale.width), death, i, row.is_hole};
     const auto pixel = (static_cast<std::uint64_t>(dot.x) << 33U) | (static_cast<std::uint64_t>(dot.y) << 1U) |
                        (row.is_hole ? 1U : 0U);
     if (drawn.insert(pixel).second) view.dots.push_back(dot);
@@ -201,17 +208,19 @@ void PersistencePanel::draw_diagram(View& view) {
   const bool is_active = ImGui::IsItemActive();
   ImDrawList& list = *ImGui::GetWindowDrawList();
 
-  // Pairs that never die are on the upper edge.
+  // Pairs that never die are on a line of their own above the others.
   const double begin = 1.05 * table.least_birth;
   const double end = table.largest_death > 0.0 ? 1.05 * table.largest_death : (begin < 0.0 ? -begin : 1.0);
-  const Plot plot(uses_.gui, {at, size}, {begin, end, "birth"}, {begin, end, "death"}, view.is_large);
+  const Plot plot(uses_.gui, {at, size}, {begin, end, "birth"},
+                  {.low = begin, .high = end, .title = "death", .above = infinity_word()}, view.is_large);
   plot.draw_frame(list);
   const ImVec2 low = plot.inside().at;
   const ImVec2 high(low.x + plot.inside().size.x, low.y + plot.inside().size.y);
   ComputationSettings settings = uses_.computation.settings();
   double& radius = settings[Parameter::alpha_radius];
   // The area left of and above the radius contains the pairs alive at it.
-  list.AddRectFilled(low, {plot.x_of(radius), plot.y_of(radius)}, (Plot::kInk & ~IM_COL32_A_MASK) | 0x12U << 24U);
+  list.AddRectFilled({low.x, plot.top()}, {plot.x_of(radius), plot.y_of(radius)},
+                     (Plot::kInk & ~IM_COL32_A_MASK) | 0x12U << 24U);
   list.AddLine({low.x, high.y}, {high.x, low.y}, Plot::kQuietInk, unit);
   if (begin < 0.0) {
     list.AddLine({plot.x_of(0.0), low.y}, {plot.x_of(0.0), high.y}, Plot::kQuietInk, unit);
@@ -220,8 +229,8 @@ void PersistencePanel::draw_diagram(View& view) {
 
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   float nearest = kReach * unit;
-  place_dots(view, {uses_.latest.shared_table(), plot.inside().size.x, plot.inside().size.y, begin, end,
-                    shows_components_, shows_holes_});
+  place_dots(view, {uses_.latest.shared_table(), plot.inside().size.x, plot.inside().size.y, high.y - plot.above(),
+                    begin, end, shows_components_, shows_holes_});
   const double opacity = uses_.latest.is_current() ? 0.9 : 0.4;
   const float half = (view.is_large ? kLargeDot : kSmallDot) * unit;
   // Drawn in reverse, because the longest are first and must be on top.
@@ -237,7 +246,8 @@ void PersistencePanel::draw_diagram(View& view) {
   if (view.is_large) draw_key(plot);
   const auto mark = [&](std::size_t i, float width) {
     const PersistenceRow& row = table.rows[i];
-    list.AddCircle({plot.x_of(row.birth), plot.y_of(row.death)}, half + 3.5F * unit, Plot::kInk, 0, width);
+    const float death = std::isinf(row.death) ? plot.above() : plot.y_of(row.death);
+    list.AddCircle({plot.x_of(row.birth), death}, half + 3.5F * unit, Plot::kInk, 0, width);
   };
   if (const auto chosen = uses_.latest.chosen()) mark(*chosen, 2 * unit);
   if (pointed_at_) mark(*pointed_at_, unit);
@@ -256,7 +266,7 @@ void PersistencePanel::draw_diagram(View& view) {
     radius = std::max(0.0, plot.x_at(mouse.x));
     if (settings != uses_.computation.settings()) uses_.computation.set(settings);
   }
-  list.AddLine({plot.x_of(radius), low.y}, {plot.x_of(radius), plot.y_of(radius)}, Plot::kInk, 2 * unit);
+  list.AddLine({plot.x_of(radius), plot.top()}, {plot.x_of(radius), plot.y_of(radius)}, Plot::kInk, 2 * unit);
   list.AddLine({low.x, plot.y_of(radius)}, {plot.x_of(radius), plot.y_of(radius)}, Plot::kInk, unit);
   if (is_hovered && !pointed_at_) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
   if (is_hovered && !is_active) {

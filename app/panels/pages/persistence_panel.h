@@ -59,6 +59,7 @@ class PersistencePanel {
     std::shared_ptr<const PersistenceTable> table;
     float width = 0.0F;  ///< in pixels
     float height = 0.0F;
+    float never = 0.0F;  ///< height of deaths that do not come
     double begin = 0.0;  ///< the radius at the beginning of the scale, and at its end
     double end = 0.0;
     bool has_components = false;

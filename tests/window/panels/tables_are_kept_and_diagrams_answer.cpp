@@ -232,6 +232,26 @@ TEST_CASE("arrow keys go from row to row of the table of branches, and move no s
   CHECK(page.window.title().starts_with("samples.poff"));
 }
 
+TEST_CASE("the component that stays is on a line of its own above the others") {
+  const Page page("shift+g");
+  const Screenshot shot = page.at_rest();
+  const auto is_dot = [](Color c) { return c.r < 70 && std::abs(c.g - 0x9E) < 30 && std::abs(c.b - 0x80) < 30; };
+  const PixelBox dots = shot.box_of(kPanel, is_dot);
+  REQUIRE(dots.bottom - dots.top > 40);
+  // One row of pixels of the dot goes on as a line.
+  const auto is_line = [&](int y) {
+    for (int x = dots.right + 4; x < dots.right + 100; ++x)
+      if (shot.at(x, y).r > 150) return false;
+    return true;
+  };
+  int lines = 0;
+  for (int y = dots.top; y < dots.top + 6; ++y) lines += is_line(y) ? 1 : 0;
+  CHECK(lines > 0);
+  // Deaths at 1.5 and 2 are below it, the second at 20/21 of the axis.
+  const PixelBox others = shot.box_of({dots.left, dots.top + 8, dots.right, dots.bottom}, is_dot);
+  CHECK(others.top - dots.top > 16);
+}
+
 TEST_CASE("a click on a sample chooses its component, and the diagram stays where it is") {
   const Page page("shift+g");
   const Screenshot before = page.at_rest();
