@@ -253,7 +253,7 @@ Expected<Decimation> decimate(const Registry& registry, const SampleData& data, 
 
 std::string Decimation::words() const {
   const std::string went = counted(removed.size(), "sample", "samples") + " of " +
-                           std::to_string(removed.size() + data.positions.size()) + " removed; ";
+                           grouped(removed.size() + data.positions.size()) + " removed; ";
   if (!no_axis.empty()) return went + no_axis;
   return went + "the axis has " + counted(static_cast<std::size_t>(components), "component", "components") + " and " +
          counted(static_cast<std::size_t>(cycles), "cycle", "cycles") + " as before; " +

@@ -31,13 +31,6 @@ std::string to_text(const StatValue& value) {
   return out;
 }
 
-std::string grouped(std::size_t number) {
-  std::string out = std::to_string(number);
-  for (auto i = static_cast<std::ptrdiff_t>(out.size()) - 3; i > 0; i -= 3)
-    out.insert(static_cast<std::size_t>(i), 1, ',');
-  return out;
-}
-
 std::string statistics_as_tsv(std::span<const NodeReport> nodes) {
   std::string out;
   for (const NodeReport& node : nodes) {

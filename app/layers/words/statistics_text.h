@@ -13,9 +13,6 @@ namespace mes {
 /// Text for people: at most six significant digits, lists with commas, "-" for values that are not finite.
 std::string to_text(const StatValue& value);
 
-/// A whole number with its digits in groups of three: "12,345".
-std::string grouped(std::size_t number);
-
 /// One number per line: structure, key and value, separated by tabs; `ms` and `touched` are keys too.
 std::string statistics_as_tsv(std::span<const NodeReport> nodes);
 

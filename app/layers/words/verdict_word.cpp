@@ -5,7 +5,7 @@
 #include <array>
 #include <utility>
 
-#include "app/layers/words/statistics_text.h"
+#include "core/base/counted.h"
 
 namespace mes {
 namespace {

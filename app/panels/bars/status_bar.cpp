@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/layers/words/statistics_text.h"
 #include "app/panels/bars/changed_chips.h"
 #include "app/picture/paper/scale_drawing.h"
 #include "app/ui/screen/theme.h"
+#include "core/base/counted.h"
 #include "core/io/systems/map_conversion.h"
 
 namespace mes {
@@ -47,10 +47,9 @@ std::string plane_in_words(const MapPlane& map) {
 
 std::string counts(const Editor& editor, double units_per_px) {
   const Document& document = editor.document();
-  const auto some = [](std::size_t n, const char* noun) { return grouped(n) + ' ' + noun + (n == 1 ? "" : "s"); };
-  std::string out = some(document.sample_count(), "sample");
+  std::string out = counted(document.sample_count(), "sample");
   if (document.ball_count() != 0) {
-    const std::string balls = some(document.ball_count(), "ball");
+    const std::string balls = counted(document.ball_count(), "ball");
     out = document.sample_count() == 0 ? balls : out + ", " + balls;
   }
   const Selection& selection = editor.selection();

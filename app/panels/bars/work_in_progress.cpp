@@ -6,10 +6,10 @@
 #include <cmath>
 #include <string>
 
-#include "app/layers/words/statistics_text.h"
 #include "app/layers/words/verdict_word.h"
 #include "app/ui/screen/theme.h"
 #include "app/ui/widgets/widgets.h"
+#include "core/base/counted.h"
 
 namespace mes {
 namespace {
@@ -48,7 +48,7 @@ void WorkInProgress::draw_recording() const {
                                               gui.colors().recording);
   ImGui::Dummy({14 * unit, height});
   ImGui::SameLine(0, 0);
-  std::string text = grouped(record.frames()) + (record.frames() == 1 ? " frame" : " frames");
+  std::string text = counted(record.frames(), "frame");
   if (record.is_waiting_for_disk())
     text += ", waiting for the disk";
   else if (const std::size_t unwritten = record.unwritten(); unwritten > 1)

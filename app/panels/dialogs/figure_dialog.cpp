@@ -8,12 +8,12 @@
 #include <span>
 #include <string_view>
 
-#include "app/layers/words/statistics_text.h"
 #include "app/ui/dialogs/large_dialog.h"
 #include "app/ui/widgets/icons.h"
 #include "app/ui/widgets/number_field.h"
 #include "app/ui/widgets/paragraph.h"
 #include "app/ui/widgets/widgets.h"
+#include "core/base/counted.h"
 #include "imgui_stdlib.h"
 
 namespace mes {
@@ -338,7 +338,7 @@ void FigureDialog::draw_facts(const Gui& gui) {
     ImGui::TextDisabled("Computing the layers...");
     return;
   }
-  std::string text = grouped(preview->shapes) + (preview->shapes == 1 ? " shape" : " shapes");
+  std::string text = counted(preview->shapes, "shape");
   if (preview->widest > 0.0) {
     const std::string finest = fmt::format("{:.2f}", preview->finest);
     const std::string widest = fmt::format("{:.2f}", preview->widest);

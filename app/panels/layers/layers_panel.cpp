@@ -17,6 +17,7 @@
 #include "app/ui/widgets/icons.h"
 #include "app/ui/widgets/slider.h"
 #include "app/ui/widgets/widgets.h"
+#include "core/base/counted.h"
 #include "imgui_stdlib.h"
 #include "render/device/convert.h"
 

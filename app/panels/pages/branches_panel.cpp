@@ -14,6 +14,7 @@
 #include "app/ui/widgets/slider.h"
 #include "app/ui/widgets/widgets.h"
 #include "core/base/color.h"
+#include "core/base/counted.h"
 #include "imgui_stdlib.h"
 
 namespace mes {
@@ -292,8 +293,9 @@ void BranchesPanel::draw_table() {
   }
   quiet_paragraph(fmt::format("Kept: {}{}", kept_in_words(table), is_current ? "" : "; computing"));
   if (rows_.size() != table.branches.size())
-    ImGui::TextDisabled("%s",
-                        fmt::format("{} of {} branches are listed", rows_.size(), table.branches.size()).c_str());
+    ImGui::TextDisabled(
+        "%s",
+        fmt::format("{} of {} branches are listed", grouped(rows_.size()), grouped(table.branches.size())).c_str());
   ImGui::PushStyleVar(ImGuiStyleVar_Alpha, ImGui::GetStyle().Alpha * (is_current ? 1.0F : 0.5F));
   constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_Sortable | ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollX |
                                      ImGuiTableFlags_ScrollY | ImGuiTableFlags_SizingFixedFit |

@@ -7,6 +7,7 @@
 #include "app/ui/screen/theme.h"
 #include "app/ui/widgets/paragraph.h"
 #include "app/ui/widgets/widgets.h"
+#include "core/base/counted.h"
 #include "core/draw/variant.h"
 
 namespace mes {

@@ -283,6 +283,8 @@ TEST_CASE("deleting, nudging, selecting all and inverting take balls and samples
 
 TEST_CASE("what is selected is called by its name") {
   CHECK(counted(0, 0) == "nothing");
+  CHECK(counted(1551, 1000) == "1,551 samples and 1,000 balls");
+  CHECK(counted(999, 1234567) == "999 samples and 1,234,567 balls");
   CHECK(counted(1, 0) == "1 sample");
   CHECK(counted(0, 2) == "2 balls");
   CHECK(counted(3, 1) == "3 samples and 1 ball");

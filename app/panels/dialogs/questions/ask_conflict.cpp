@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/ui/widgets/paragraph.h"
+#include "core/base/counted.h"
 
 namespace mes {
 namespace {
@@ -51,11 +52,9 @@ void draw_counts(const Gui& gui, const Holdings& mine, const Holdings& theirs) {
   ImGui::TableSetupColumn("mine", ImGuiTableColumnFlags_WidthFixed, 120 * unit);
   ImGui::TableSetupColumn("theirs", ImGuiTableColumnFlags_WidthFixed, 120 * unit);
   draw_heading(gui);
-  draw_row(gui, "Samples", std::to_string(mine.samples), std::to_string(theirs.samples));
-  draw_row(gui, "Balls", std::to_string(mine.balls), std::to_string(theirs.balls));
-  const auto text = [](const std::optional<std::size_t>& count) {
-    return count ? std::to_string(*count) : "none kept";
-  };
+  draw_row(gui, "Samples", grouped(mine.samples), grouped(theirs.samples));
+  draw_row(gui, "Balls", grouped(mine.balls), grouped(theirs.balls));
+  const auto text = [](const std::optional<std::size_t>& count) { return count ? grouped(*count) : "none kept"; };
   if (mine.edits || theirs.edits) draw_row(gui, "Edits", text(mine.edits), text(theirs.edits));
   ImGui::EndTable();
 }

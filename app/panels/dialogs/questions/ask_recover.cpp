@@ -5,6 +5,7 @@
 #include <array>
 
 #include "app/ui/widgets/paragraph.h"
+#include "core/base/counted.h"
 
 namespace mes {
 
@@ -22,17 +23,18 @@ void AskRecover::offer(std::vector<LeftWork> works, std::function<void()> recove
 
 void AskRecover::draw(const Gui& gui) {
   static constexpr std::array kAnswers{"Recover", "Discard", "Not now"};
-  const auto answer = draw_question(
-      gui, "##ask-recover", kAnswers, 0, "Work was left unsaved when Mesecina ended", [this, &gui](float width) {
-        if (!is_open()) return;
-        const LeftWork& work = works_.front();
-        const std::string title = work.name();
-        ImGui::Dummy({1, 2 * gui.unit()});
-        paragraph(fmt::format("{}, {} {} at {}", title, work.edits(),
-                              work.edits() == 1 ? "change," : "changes, the last", work.when()),
-                  width);
-        if (works_.size() > 1) ImGui::TextDisabled("%zu more after this one", works_.size() - 1);
-      });
+  const auto answer = draw_question(gui, "##ask-recover", kAnswers, 0, "Work was left unsaved when Mesecina ended",
+                                    [this, &gui](float width) {
+                                      if (!is_open()) return;
+                                      const LeftWork& work = works_.front();
+                                      const std::string title = work.name();
+                                      ImGui::Dummy({1, 2 * gui.unit()});
+                                      paragraph(fmt::format("{}, {}, {}at {}", title, counted(work.edits(), "change"),
+                                                            work.edits() == 1 ? "" : "the last ", work.when()),
+                                                width);
+                                      if (works_.size() > 1)
+                                        ImGui::TextDisabled("%zu more after this one", works_.size() - 1);
+                                    });
   if (!answer) return;
   switch (*answer) {
     case 0: recover_(); return;
