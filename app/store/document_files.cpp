@@ -44,6 +44,21 @@ Expected<LoadedFile> guarded(const std::string& name, Read read) {
 
 }  // namespace
 
+void name_briefly(std::vector<std::string>& messages, const fs::path& file) {
+  const std::string whole = file.string();
+  const std::string name = file.filename().string();
+  bool is_named = false;
+  for (std::string& message : messages) {
+    if (!message.starts_with(whole)) continue;
+    const bool has_no_line = message.substr(whole.size()).starts_with(": ");
+    if (has_no_line && is_named)
+      message.erase(0, whole.size() + 2);
+    else
+      message.replace(0, whole.size(), name);
+    is_named = true;
+  }
+}
+
 DocumentFiles::DocumentFiles(LiveRegistry registry, Editor& editor, std::function<Session()> session_now, Waker wake)
     : registry_(std::move(registry)),
       editor_(editor),
@@ -107,6 +122,7 @@ void DocumentFiles::read_text(const Asked& asked, Reading& reading, ReadFiles& o
   outcome.format = loaded->format;
   outcome.session = loaded->session;
   outcome.degrees = loaded->degrees;
+  outcome.has_added_samples = loaded->has_added_samples;
   outcome.warnings = std::move(loaded->warnings);
   out.data = outcome.session ? outcome.session->data : std::make_shared<const SampleData>(std::move(loaded->data));
   prepare(reading, out);
@@ -145,6 +161,7 @@ void DocumentFiles::join(const Asked& asked, std::vector<LoadedFile> files, Read
       data.source = std::move(loaded.data.source);
       data.map = loaded.data.map;
       outcome.degrees = loaded.degrees;
+      outcome.has_added_samples = loaded.has_added_samples;
     }
     if (!loaded.data.balls.empty()) data.balls = std::move(loaded.data.balls);
     std::ranges::move(loaded.warnings, std::back_inserter(outcome.warnings));

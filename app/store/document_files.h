@@ -84,6 +84,7 @@ class DocumentFiles {
     std::string system;                 ///< the coordinate system that was asked for; may be empty
     std::size_t samples = 0;
     std::size_t balls = 0;
+    bool has_added_samples = false;  ///< between the vertices of curves
     std::vector<std::string> warnings;
     std::string remark;  ///< a remark about made samples
     std::optional<Error> error;
@@ -255,5 +256,9 @@ class DocumentFiles {
   BackgroundJob<Written> writing_;
   BackgroundJob<bool> dropping_{{}};  // destroys the previous document, which may be large
 };
+
+/// In messages that begin with the file: names it without its folders, and in the first of them only unless there is a
+/// line number.
+void name_briefly(std::vector<std::string>& messages, const std::filesystem::path& file);
 
 }  // namespace mes

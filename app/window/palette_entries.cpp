@@ -82,7 +82,7 @@ void add_layers(const Panels::Uses& uses, Entries& out) {
     const auto family = family_of(descriptor);
     out.push_back({.kind = "Layer",
                    .name = std::string(descriptor.name),
-                   .explanation = std::string(descriptor.tooltip),
+                   .explanation = with_titles(descriptor.tooltip),
                    .more = std::string(descriptor.id) + ' ' + std::string(title_of(descriptor.group)),
                    .words = synonyms_of(descriptor.id),
                    .place = fmt::format("Layers > {}", layer_topics()[topic_place_of(descriptor).topic].title),
@@ -125,7 +125,7 @@ void add_evolutions(const Panels::Uses& uses, Entries& out) {
   for (const auto& evolution : uses.work.evolution().evolutions()) {
     out.push_back({.kind = "Evolution",
                    .name = evolution->descriptor.name,
-                   .explanation = evolution->descriptor.tooltip,
+                   .explanation = with_titles(evolution->descriptor.tooltip),
                    .more = evolution->descriptor.id,
                    .words = synonyms_of(evolution->descriptor.id),
                    .is_checked = uses.work.evolution().choice().evolution == evolution,

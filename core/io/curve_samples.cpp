@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/counted.h"
 #include "core/base/geometry/coordinate_range.h"
 #include "core/base/geometry/quick_length.h"
 #include "core/curves/cuts.h"
@@ -138,13 +139,13 @@ Expected<LoadedFile> load_samples(CurveSet curves, const std::string& name, Read
   if (!file || job.takes_vertices() || request.rule != SamplingRule::refined) return file;
   const std::size_t samples = file->data.positions.size();
   if (samples <= vertices) return file;
-  file->warnings.push_back(Error{
-      ErrorCode::bad_input,
-      fmt::format("samples were added between the {}vertices, {} in all; --vertices, or the rule \"vertices\" on the "
-                  "page of the curves, takes the vertices alone",
-                  vertices == 0 ? std::string() : std::to_string(vertices) + ' ', samples),
-      name}
-                               .message());
+  file->has_added_samples = true;
+  file->warnings.push_back(
+      Error{ErrorCode::bad_input,
+            fmt::format("samples were added between the {}vertices, {} in all",
+                        vertices == 0 ? std::string() : grouped(vertices) + ' ', grouped(samples)),
+            name}
+          .message());
   return file;
 }
 

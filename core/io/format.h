@@ -49,6 +49,7 @@ struct LoadedFile {
   std::shared_ptr<const Session> session;
   std::optional<MapDegrees> degrees{};  ///< treatment of longitude and latitude; none: the file had none
   bool has_degrees = false;             ///< a table: its columns are called longitude and latitude, and hold such
+  bool has_added_samples = false;       ///< between the vertices of curves; a warning gives their number
   bool is_carried = false;              ///< the session was in a picture or figure (core/io/carried_session.h)
 };
 

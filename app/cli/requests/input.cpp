@@ -67,6 +67,7 @@ Expected<LoadedFile> read_input(const Registry& registry, const std::string& fil
   if (options.keeps_degrees && !loaded->degrees && !is_map(registry, loaded->format))
     return std::unexpected(Error{ErrorCode::usage, "only maps have degrees to keep, and this is none", file});
   for (const std::string& warning : loaded->warnings) say(warning);
+  if (loaded->has_added_samples) say("--vertices takes the vertices alone");
   return loaded;
 }
 

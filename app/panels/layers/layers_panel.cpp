@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "app/editing/curves/sample_spacing.h"
-#include "app/layers/words/statistics_text.h"
+#include "app/layers/words/parameter_words.h"
 #include "app/picture/paper/canvas_look.h"
 #include "app/ui/screen/theme.h"
 #include "app/ui/widgets/icons.h"
@@ -95,7 +95,7 @@ std::string milliseconds(double ms) {
 
 std::string LayersPanel::explanation(LayerIndex layer) const {
   const LayerDescriptor& descriptor = layers_.descriptor(layer);
-  std::string out = std::string(descriptor.name) + '\n' + std::string(descriptor.tooltip);
+  std::string out = std::string(descriptor.name) + '\n' + with_titles(descriptor.tooltip);
   // The picture to trace has no computed content.
   if (layers_.descriptor(layer).kinds.empty()) return out;
   const LayerReport* report = picture_.report(layer);

@@ -6,6 +6,7 @@
 
 #include "app/playing/session_evolution.h"
 #include "app/window/files/document_flow.h"
+#include "core/curves/sampling.h"
 #include "core/io/bundle_file.h"
 #include "core/io/systems/coordinate_system.h"
 #include "core/io/systems/map_conversion.h"
@@ -221,6 +222,10 @@ void DocumentFlow::say_opened(const DocumentFiles::Outcome& outcome) {
   std::vector<std::string> warnings = outcome.warnings;
   if (!warnings.empty() && outcome.degrees == MapDegrees::projected && outcome.files.size() == 1)
     warnings.front() += fmt::format(" (File > {} avoids this)", descriptor_of(ActionId::keep_degrees).name);
+  if (outcome.has_added_samples)
+    warnings.push_back("The panel Curves can take the vertices alone: choose \"" +
+                       std::string(sampling_rules()[static_cast<std::size_t>(SamplingRule::vertices)].name) + '"');
+  for (const fs::path& file : outcome.files) name_briefly(warnings, file);
   uses_.messages.notices(warnings);
 }
 

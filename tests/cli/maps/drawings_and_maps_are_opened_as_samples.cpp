@@ -75,6 +75,7 @@ TEST_CASE("a map is opened with what was done to it on standard error") {
   // Samples between the corners, which a remark says; the corners alone on request.
   CHECK(out["input"]["samples"] >= 400);
   CHECK_THAT(result.err, Catch::Contains("samples were added between the 4 vertices"));
+  CHECK_THAT(result.err, Catch::Contains("--vertices takes the vertices alone"));
   const RunResult corners = run({"compute", (folder.path() / "a.json").string(), "--layers", "curve", "--vertices"});
   CHECK(nlohmann::json::parse(corners.out)["input"]["samples"] == 4);
   CHECK_FALSE(corners.err.contains("were added"));

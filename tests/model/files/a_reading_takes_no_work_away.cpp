@@ -348,6 +348,21 @@ TEST_CASE("recovered work is saved in the file in which it was kept, unless that
   }
 }
 
+TEST_CASE("messages about a file that was opened name it once, without its folders") {
+  std::vector<std::string> messages{"/home/a/map.json: one", "/home/a/map.json: two", "/home/a/map.json:3:4: three",
+                                    "four"};
+  name_briefly(messages, "/home/a/map.json");
+  CHECK(messages == std::vector<std::string>{"map.json: one", "two", "map.json:3:4: three", "four"});
+  // The option of the command line is not a matter of the window.
+  Bench bench;
+  const auto map = bench.folder.write(
+      "a.geojson", R"({"type": "Polygon", "coordinates": [[[9, 50], [11, 50], [11, 51], [9, 51], [9, 50]]]})");
+  const auto outcome = bench.open(map);
+  REQUIRE_FALSE(outcome.error);
+  CHECK(outcome.has_added_samples);
+  for (const std::string& warning : outcome.warnings) CHECK_FALSE(warning.contains("--"));
+}
+
 TEST_CASE("a document is left although a file is still being waited for") {
   const test::TemporaryFolder folder;
   const auto pipe = folder / "pipe.poff";

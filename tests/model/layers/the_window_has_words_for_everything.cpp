@@ -107,6 +107,20 @@ TEST_CASE("every parameter has a title, and words for each of its choices") {
   CHECK(title_of(Parameter::a_scale) == "Inner balls: scale");
 }
 
+TEST_CASE("explanations in the window name parameters by their titles") {
+  CHECK(with_titles("twice lambda-limit apart; with keep-topology also those, not my-lambda-limit") ==
+        "twice \"Lambda: limit\" apart; with \"Filters keep the topology\" also those, not my-lambda-limit");
+  CHECK(with_titles("scale-axis-factor") == "\"Scale axis: factor\"");
+  CHECK(with_titles("transects of a shape").find('"') == std::string::npos);
+  for (const Parameter& parameter : computation_parameters()) {
+    if (!parameter.id.contains('-')) continue;
+    for (const LayerDescriptor& layer : builtins().layers())
+      CHECK_FALSE(with_titles(layer.tooltip).contains(parameter.id));
+    for (const Parameter& other : computation_parameters())
+      CHECK_FALSE(spoken_explanation(other).contains(parameter.id));
+  }
+}
+
 TEST_CASE("a place is shown with its twenty nearest neighbours") {
   Editor editor([](const auto&) {});
   SampleData data;
