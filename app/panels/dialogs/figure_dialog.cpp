@@ -410,9 +410,7 @@ void FigureDialog::draw(const Gui& gui) {
                  const DialogColumn columns[] = {
                      {"settings", kSettings,
                       [&] {
-                        ImGui::PushFont(gui.bold());
-                        ImGui::TextUnformatted("Export a figure");
-                        ImGui::PopFont();
+                        heading(gui, "Export a figure");
                         ImGui::Dummy({1, 2 * gui.unit()});
                         draw_settings(gui);
                         draw_layers(gui);

@@ -117,9 +117,7 @@ void ShapeDialog::draw(const Gui& gui) {
         const DialogColumn columns[] = {{"shapes", kShapeListWidth, [&] { draw_list(gui); }},
                                         {"settings", kShapeSettingsWidth,
                                          [&] {
-                                           ImGui::PushFont(gui.bold());
-                                           ImGui::TextUnformatted(chosen_->shape->name.c_str());
-                                           ImGui::PopFont();
+                                           heading(gui, chosen_->shape->name);
                                            draw_parameters(gui);
                                            ImGui::Dummy({1, 2 * gui.unit()});
                                            sampling_.draw(gui);

@@ -112,6 +112,8 @@ void TextDialog::draw(const Gui& gui) {
                  const DialogColumn columns[] = {{"fonts", kFontListWidth, [&] { draw_fonts(gui); }},
                                                  {"settings", kTextSettingsWidth,
                                                   [&] {
+                                                    heading(gui, "Write a text");
+                                                    ImGui::Dummy({1, 2 * gui.unit()});
                                                     draw_settings(gui);
                                                     follow_wish();
                                                     maker_.draw_facts(gui);

@@ -178,10 +178,9 @@ void TraceDialog::draw(const Gui& gui) {
                  const DialogColumn columns[] = {
                      {"settings", kChoices,
                       [&] {
-                        ImGui::PushFont(gui.bold());
+                        heading(gui, "Trace a picture");
                         const std::string name = uses_->job.file().filename().string();
                         ImGui::TextUnformatted(elided(name, ImGui::GetContentRegionAvail().x).c_str());
-                        ImGui::PopFont();
                         ImGui::Dummy({1, 2 * gui.unit()});
                         draw_choices(gui);
                         ImGui::Dummy({1, 2 * gui.unit()});
