@@ -333,9 +333,10 @@ TEST_CASE("instances for which there is no room leave those that are there, or n
 }
 
 TEST_CASE("what is said about memory gives the reason and what to do") {
-  CHECK(memory_problem(1'000'000, 0) ==
-        "Out of memory: 1,000,000 samples need more than is free. Grey layers show the last picture. Undo, hide layers "
-        "or open a smaller file");
+  CHECK(
+      memory_problem(1'000'000, 0) ==
+      "Out of memory: 1,000,000 samples need more than is free. Grey layers show the last picture. Undo, hide layers "
+      "or open a smaller file");
   CHECK(is_memory_problem(memory_problem(1, 1)));
   CHECK_FALSE(is_memory_problem("No space left on device"));
 }

@@ -41,9 +41,9 @@ void LessonRun::bind(ActionBindings& actions) {
   bind_step(nth(ActionId::first_nudge, 1), &LessonPresenter::go_on, true);
   // Steps of undo do not affect the lesson, which takes its own changes back.
   ActionBindings::Binding undo = actions.binding(ActionId::undo);
-  undo.enabled = undo.enabled.after(
-      {[this, holds = undo.enabled] { return holds.holds() || !lesson_editor_.can_take_back(); },
-       "the arrow of the panel Lesson takes back its last change"});
+  undo.enabled =
+      undo.enabled.after({[this, holds = undo.enabled] { return holds.holds() || !lesson_editor_.can_take_back(); },
+                          "the arrow of the panel Lesson takes back its last change"});
   actions.bind(ActionId::undo, std::move(undo));
   actions.bind(ActionId::mark_step,
                {[this] { lesson_editor_.mark(); },

@@ -241,7 +241,7 @@ TEST_CASE("the component that stays is on a line of its own above the others") {
   // One row of pixels of the dot goes on as a line.
   const auto is_line = [&](int y) {
     for (int x = dots.right + 4; x < dots.right + 100; ++x)
-      if (shot.at(x, y).r > 150) return false;
+      if (shot.at(x, y).r > 215) return false;
     return true;
   };
   int lines = 0;
