@@ -10,6 +10,7 @@
 
 #include "core/base/rng.h"
 #include "core/curves/cuts.h"
+#include "core/curves/internal/contacts.h"
 #include "core/curves/resolution.h"
 #include "core/curves/sampling.h"
 #include "tests/curves/curve_parts.h"
@@ -174,6 +175,95 @@ TEST_CASE("of many nested circles a line meets the one on which it begins") {
     for (const SampledCurves::Chain& chain : samples.chains)
       chains += std::ranges::count(places_of(samples, chain), index) != 0 ? 1U : 0U;
     CHECK(chains == 2);
+  }
+}
+
+TEST_CASE("contacts of nested and crossing outlines are found with little work, whatever their slants") {
+  Rng rng(7);
+  const auto nested = [&](std::size_t corners, double inner, double jitter, std::size_t count) {
+    std::vector<PlaneCurve> out;
+    for (std::size_t i = 0; i < count; ++i) {
+      const double size = 1000.0 * (1.0 - 0.95 * static_cast<double>(i) / static_cast<double>(count));
+      std::vector<Vec2> points;
+      for (std::size_t k = 0; k < corners; ++k) {
+        const double angle = 2.0 * kPi * static_cast<double>(k) / static_cast<double>(corners) + 0.1;
+        const double radius = size * (k % 2 == 0 ? 1.0 : inner) + jitter * rng.uniform(0.0, 1.0);
+        points.push_back({radius * std::cos(angle), radius * std::sin(angle)});
+      }
+      out.push_back(closed_polygon(points));
+    }
+    return out;
+  };
+  const auto woven = [](std::size_t count) {
+    std::vector<PlaneCurve> out;
+    for (std::size_t i = 0; i < count; ++i) {
+      const double x = 0.5 * static_cast<double>(i);
+      out.push_back(polygon({{x, 0.1}, {x + 300.2, 900.5}}, false));
+      out.push_back(polygon({{x, 900.3}, {x + 300.7, 0.2}}, false));
+    }
+    return out;
+  };
+  const auto circles = [](std::size_t count) {
+    std::vector<PlaneCurve> out;
+    for (std::size_t i = 1; i <= count; ++i) out.push_back(circle_around({0.5, 0.25}, static_cast<double>(i)));
+    return out;
+  };
+  const auto most = [](std::vector<PlaneCurve> curves) {
+    Rng order(3);
+    for (std::size_t i = curves.size(); i > 1; --i) std::swap(curves[i - 1], curves[order.below(i)]);
+    const Contacts contacts = contacts_of(curves, 1e-6, false, nullptr);
+    CHECK(contacts.contacts.empty());
+    return static_cast<double>(contacts.work) / static_cast<double>(contacts.vertices.size());
+  };
+  for (const std::size_t count : {500U, 4000U}) {
+    INFO(count << " of each");
+    CHECK(most(nested(8, 1.0, 0.0, count)) < 260.0);
+    CHECK(most(nested(8, 1.0, 0.1, count)) < 260.0);
+    CHECK(most(nested(3, 1.0, 0.0, count)) < 260.0);
+    CHECK(most(nested(14, 0.4, 0.0, count)) < 260.0);
+    CHECK(most(nested(14, 0.4, 0.1, count)) < 260.0);
+    CHECK(most(woven(count)) < 260.0);
+    CHECK(most(circles(count)) < 260.0);
+  }
+}
+
+TEST_CASE("contacts are the same however many outlines are nested around them") {
+  Rng rng(11);
+  const auto somewhere = [&] { return Vec2{rng.uniform(-10.0, 10.0), rng.uniform(-10.0, 10.0)}; };
+  std::vector<PlaneCurve> curves;
+  for (int i = 0; i < 60; ++i) {
+    PlaneCurve curve(somewhere());
+    const int kind = i % 4;
+    if (kind == 0) curve.line_to(somewhere());
+    if (kind == 1) curve.quadratic_to(somewhere(), somewhere());
+    if (kind == 2) curve.cubic_to(somewhere(), somewhere(), somewhere());
+    if (kind == 3) {
+      const Vec2 to = somewhere();
+      const double radius = distance(curve.start(), to) * rng.uniform(0.5, 3.0);
+      const auto arc = arc_between(curve.start(), to, {radius, 0.7 * radius}, rng.uniform(0.0, 3.0),
+                                   rng.below(2) == 0, rng.below(2) == 0);
+      REQUIRE(arc.has_value());
+      curve.arc_to(*arc, to);
+    }
+    const Piece piece = pieces_of(curve).front();
+    curves.push_back(curve);
+    for (int k = 0; k < 4; ++k) curves.push_back(polygon({piece.at(rng.uniform(0.05, 0.95)), somewhere()}, false));
+  }
+  // The extent decides what is rounding, so it is the same.
+  const PlaneCurve frame = rectangle(-5000, -5000, 5000, 5000);
+  curves.push_back(frame);
+  const Contacts few = contacts_of(curves, 1e-7, false, nullptr);
+  for (int i = 0; i < 1500; ++i) {
+    const double r = 1000.0 + i;
+    curves.push_back(closed_polygon({{r, 0}, {0, r}, {-r, 0}, {0, -r}}));
+  }
+  const Contacts many = contacts_of(curves, 1e-7, false, nullptr);
+  CHECK(few.contacts.size() >= 240);
+  REQUIRE(many.contacts.size() == few.contacts.size());
+  for (std::size_t i = 0; i < few.contacts.size(); ++i) {
+    CHECK(many.contacts[i].vertex == few.contacts[i].vertex);
+    CHECK(many.contacts[i].piece == few.contacts[i].piece);
+    CHECK(many.contacts[i].parameter == few.contacts[i].parameter);
   }
 }
 

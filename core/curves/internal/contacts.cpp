@@ -6,13 +6,13 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <tuple>
 #include <utility>
 
 #include "core/base/geometry/box2.h"
 #include "core/base/geometry/box_tree.h"
 #include "core/base/jobs/parallel.h"
 #include "core/curves/curve_bounds.h"
+#include "core/curves/internal/slab_tree.h"
 #include "core/curves/nearest_place.h"
 
 namespace mes {
@@ -30,6 +30,8 @@ constexpr double kOfSlanted = 1.0 / 128.0;
 constexpr double kOfOthers = 1.0 / 4096.0;
 // Limit for one vertex. More pieces this near to it, none of which ends in it, are noise.
 constexpr std::size_t kMostContacts = 256;
+// To compare a vertex with a piece takes as long as with so many boxes.
+constexpr std::size_t kWorkOfPiece = 16;
 // A cancelled search ends after so many vertices.
 constexpr std::size_t kVertices = 256;
 
@@ -92,43 +94,90 @@ double parameter_of_contact(const Piece& piece, Vec2 p, double tolerance, double
   return is_on ? t : -1.0;
 }
 
-/// Finds the pieces near a point, by the boxes of their parts. Of nested or parallel bends the boxes of whole pieces
-/// would hold nearly all points.
-class PieceFinder {
+/// Finds the pieces near a point, by their boxes.
+class FinderByBoxes {
  public:
-  PieceFinder(const std::vector<TouchingPiece>& pieces, int parts_per_bend) {
-    for (std::uint32_t i = 0; i < pieces.size(); ++i) {
-      const Piece& piece = pieces[i].piece;
-      const int count = piece.kind == PieceKind::line ? 1 : parts_per_bend;
-      for (int k = 0; k < count; ++k) {
-        const double share = 1.0 / count;
-        parts_.push_back({bounds_of(count == 1 ? piece : piece.part(share * k, share * (k + 1))), i});
-      }
-    }
-    std::vector<std::uint32_t> numbers(parts_.size());
+  explicit FinderByBoxes(const std::vector<TouchingPiece>& pieces) {
+    std::vector<std::uint32_t> numbers(pieces.size());
     std::iota(numbers.begin(), numbers.end(), 0U);
+    for (const TouchingPiece& one : pieces) boxes_.push_back(bounds_of(one.piece));
     tree_.build(
-        std::span<const std::uint32_t>(numbers), [&](std::uint32_t i) { return TreeBounds{parts_[i].box}; },
+        std::span<const std::uint32_t>(numbers), [&](std::uint32_t i) { return TreeBounds{boxes_[i]}; },
         [](std::uint32_t, std::uint32_t) {});
   }
 
-  /// Visits pieces, some of them several times, while `visit` returns true.
+  /// Visits pieces while `visit` returns true. Returns the number of boxes that it compared with the point.
   template <class Visit>
-  void visit_near(const Box2& around, Visit visit) const {
+  std::size_t visit_near(Vec2 p, double reach, Visit visit) const {
+    const Box2 around = grown({p, p}, reach);
     bool goes_on = true;
-    tree_.visit_where([&](const Box2& box, double) { return goes_on && overlap(around, box); },
+    std::size_t compared = 0;
+    tree_.visit_where([&](const Box2& box, double) { return ++compared != 0 && goes_on && overlap(around, box); },
                       [&](std::uint32_t number) {
-                        if (goes_on && overlap(around, parts_[number].box)) goes_on = visit(parts_[number].piece);
+                        ++compared;
+                        if (goes_on && overlap(around, boxes_[number])) goes_on = visit(number);
                       });
+    return compared;
   }
 
  private:
-  struct Part {
-    Box2 box;
-    std::uint32_t piece;
-  };
-  std::vector<Part> parts_;
+  std::vector<Box2> boxes_;
   BoxTree<std::uint32_t> tree_;
+};
+
+/// A convex polygon around a part of a piece, its ends first. An arc is at most half a turn.
+SlabItem slab_item_of(const Piece& part, std::uint32_t number) {
+  const Vec2 from = part.from();
+  const Vec2 to = part.to();
+  SlabItem out{{from, to, from, to}, number};
+  if (part.kind == PieceKind::quadratic) out.hull[2] = part.points[1];
+  if (part.kind == PieceKind::cubic) {
+    out.hull[2] = part.points[1];
+    out.hull[3] = part.points[2];
+  }
+  if (part.kind == PieceKind::arc) {
+    // The tangents at the ends meet there. Measured from the chord, it is exact for flat arcs of a huge circle too.
+    const double half = 0.5 * part.arc.sweep;
+    const double middle = part.arc.start + half;
+    const double height = std::sin(half) * std::tan(half);
+    out.hull[2] = 0.5 * (from + to) + height * (std::cos(middle) * part.arc.u + std::sin(middle) * part.arc.v);
+  }
+  return out;
+}
+
+/// Finds the pieces near a point, by slabs around their parts. Slower to build than boxes, but few of the slabs of
+/// nested or parallel pieces hold one point.
+class FinderBySlabs {
+ public:
+  FinderBySlabs(const std::vector<TouchingPiece>& pieces, int parts_per_bend)
+      : tree_(parts_of(pieces, parts_per_bend)) {}
+
+  /// Visits pieces, some of them several times, while `visit` returns true. Returns the number of nodes and parts that
+  /// it compared with the point.
+  template <class Visit>
+  std::size_t visit_near(Vec2 p, double reach, Visit visit) const {
+    // Covers the rounding of distances from slabs, which is far below any reach.
+    constexpr double kMore = 1.01;
+    return tree_.visit_near(p, kMore * reach, visit);
+  }
+
+ private:
+  static std::vector<SlabItem> parts_of(const std::vector<TouchingPiece>& pieces, int parts_per_bend) {
+    std::vector<SlabItem> out;
+    for (std::uint32_t i = 0; i < pieces.size(); ++i) {
+      const Piece& piece = pieces[i].piece;
+      if (piece.kind == PieceKind::line) {
+        out.push_back(slab_item_of(piece, i));
+        continue;
+      }
+      const double share = 1.0 / parts_per_bend;
+      for (int k = 0; k < parts_per_bend; ++k)
+        out.push_back(slab_item_of(piece.part(share * k, k + 1 == parts_per_bend ? 1.0 : share * (k + 1)), i));
+    }
+    return out;
+  }
+
+  SlabTree tree_;
 };
 
 /// Merges equal vertices.
@@ -214,20 +263,22 @@ Contacts contacts_of(const std::vector<PlaneCurve>& curves, double resolution, b
     sizes.push_back(size_of(piece.piece));
     for (const std::uint32_t vertex : {piece.from, piece.to}) local[vertex] = std::min(local[vertex], sizes.back());
   }
-  const auto find = [&](const PieceFinder& finder, std::size_t most_visits) {
-    std::vector<std::vector<Contact>> found(chunk_count(out.vertices.size()));
-    std::atomic<std::size_t> visits = 0;
+  std::vector<std::vector<Contact>> found;
+  // Gives up, and returns false, after `most_work`.
+  const auto find = [&](const auto& finder, std::size_t most_work) {
+    found.assign(chunk_count(out.vertices.size()), {});
+    std::atomic<std::size_t> work = 0;
     parallel_for(out.vertices.size(), [&](std::size_t begin, std::size_t end, std::size_t chunk) {
       std::vector<Contact>& here = found[chunk];
       for (std::size_t v = begin; v < end; ++v) {
         if (v % kVertices == 0) checkpoint();
         const Vec2 p = out.vertices[v];
         const std::size_t first = here.size();
-        std::size_t visits_of_one = 0;
-        finder.visit_near(grown({p, p}, out.tolerance), [&](std::uint32_t number) {
-          ++visits_of_one;
+        std::size_t met = 0;
+        const std::size_t compared = finder.visit_near(p, out.tolerance, [&](std::uint32_t number) {
           const TouchingPiece& other = out.pieces[number];
           if (other.from == v || other.to == v) return true;
+          ++met;
           const double of_both = std::min(local[v], sizes[number]);
           const double t = parameter_of_contact(other.piece, p, std::clamp(kOfOthers * of_both, least, out.tolerance),
                                                 std::clamp(kOfSlanted * of_both, least, out.tolerance));
@@ -237,18 +288,22 @@ Contacts contacts_of(const std::vector<PlaneCurve>& curves, double resolution, b
             here.push_back({static_cast<std::uint32_t>(v), number, t});
           return here.size() - first < kMostContacts;
         });
-        if ((visits += visits_of_one) > most_visits) return;
+        // The order does not depend on the finder.
+        std::ranges::sort(here.begin() + static_cast<std::ptrdiff_t>(first), here.end(), {}, &Contact::piece);
+        if ((work += compared + kWorkOfPiece * met) > most_work) return;
       }
     });
-    return std::pair(std::move(found), visits <= most_visits);
+    out.work = work;
+    return work <= most_work;
   };
-  // Boxes of a few parts find a few pieces too many, which costs less than more boxes.
-  constexpr std::size_t kFewVisits = 16;
-  const std::size_t few = kFewVisits * (out.vertices.size() + kVertices);
-  auto [found, is_quick] = find(PieceFinder(out.pieces, 1), few);
-  if (!is_quick) std::tie(found, is_quick) = find(PieceFinder(out.pieces, 4), few);
-  if (!is_quick)
-    std::tie(found, is_quick) = find(PieceFinder(out.pieces, 16), std::numeric_limits<std::size_t>::max());
+  // Boxes compare a few pieces too many, which costs less than slabs.
+  constexpr std::size_t kLittleWork = 256;
+  const std::size_t little = kLittleWork * (out.vertices.size() + kVertices);
+  const bool has_bends =
+      std::ranges::any_of(out.pieces, [](const TouchingPiece& one) { return one.piece.kind != PieceKind::line; });
+  constexpr std::size_t kNoLimit = std::numeric_limits<std::size_t>::max();
+  if (!find(FinderByBoxes(out.pieces), little) && !find(FinderBySlabs(out.pieces, 4), has_bends ? little : kNoLimit))
+    find(FinderBySlabs(out.pieces, 16), kNoLimit);
   for (const std::vector<Contact>& part : found) out.contacts.insert(out.contacts.end(), part.begin(), part.end());
   return out;
 }

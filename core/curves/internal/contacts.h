@@ -31,6 +31,7 @@ struct Contacts {
   std::vector<Vec2> vertices{};         ///< all vertices of candidates, without duplicates
   std::vector<Contact> contacts{};      ///< between vertices and pieces that do not end exactly there, by vertex
   double tolerance = 0.0;               ///< upper bound; at most 1/128 of the pieces at a contact
+  std::size_t work = 0;                 ///< of the search: one for each box compared with a vertex, 16 for each piece
 };
 
 /// `resolution` as in `CurveSet`. If `within_curves`, every curve is a candidate. O(n log n). Throws `Cancelled` if
