@@ -2,6 +2,7 @@
 #include "core/curves/joined_ends.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -28,11 +29,17 @@ class CurveEnds {
     }
     for (auto& [key, ends] : cells_)
       std::ranges::stable_sort(ends, lexicographically_less, [this](std::size_t end) { return place_of(end); });
+    pair_crossings();
   }
 
   /// The only other end at the same position, or else the only other end nearby; nothing if there are none or several.
   /// The search ends at the second, so many ends at one place cost no more than two.
   std::size_t partner_of(std::size_t end) const {
+    return through_.empty() || through_[end] == kNone ? only_partner_of(end) : through_[end];
+  }
+
+ private:
+  std::size_t only_partner_of(std::size_t end) const {
     const auto is_candidate = [&](std::size_t other) {
       return other != end && (other != (end ^ 1U) || may_close(end / 2));
     };
@@ -58,7 +65,6 @@ class CurveEnds {
     return near.end;
   }
 
- private:
   struct Cell {
     std::int64_t x;
     std::int64_t y;
@@ -94,7 +100,122 @@ class CurveEnds {
     return (key ^ static_cast<std::uint64_t>(y)) * kOdd;
   }
 
+  /// All ends within the tolerance, itself included; more than `kMostAtCrossing` if so many are near, or not much
+  /// farther away.
+  std::vector<std::size_t> ends_near(std::size_t end) const {
+    std::vector<std::size_t> out;
+    constexpr std::size_t kMostCompared = 8 * kMostAtCrossing;
+    std::size_t compared = 0;
+    const Cell cell = cell_of(place_of(end));
+    for (std::int64_t x = cell.x - 1; x <= cell.x + 1; ++x)
+      for (std::int64_t y = cell.y - 1; y <= cell.y + 1; ++y) {
+        const auto found = cells_.find(key_of(x, y));
+        if (found == cells_.end()) continue;
+        for (const std::size_t other : found->second) {
+          if (distance(place_of(other), place_of(end)) <= tolerance_) out.push_back(other);
+          if (++compared > kMostCompared) out.resize(kMostAtCrossing + 1);
+          if (out.size() > kMostAtCrossing) return out;
+        }
+      }
+    std::ranges::sort(out);
+    return {out.begin(), std::ranges::unique(out).begin()};
+  }
+
+  /// How a curve leaves one of its ends.
+  struct Departure {
+    std::size_t end;
+    Vec2 direction{};  // of length 1
+    double curvature;  // positive to the left
+    double size;       // over which it was measured
+  };
+  Departure departure_of(std::size_t end) const {
+    Piece piece;
+    bool is_first = true;
+    curves_[end / 2].for_each_piece([&](const Piece& one) {
+      if (is_first || end % 2 != 0) piece = one;
+      is_first = false;
+    });
+    constexpr double kShare = 0.125;
+    const Vec2 along = end % 2 == 0 ? piece.first_direction() : -piece.last_direction();
+    const Vec2 way = piece.at(end % 2 == 0 ? kShare : 1.0 - kShare) - place_of(end);
+    const double size = length(way);
+    const double speed = length(along);
+    if (!(size > 0.0) || !(speed > 0.0)) return {end, {}, 0.0, size};
+    const Vec2 direction{along.x / speed, along.y / speed};
+    return {end, direction, 2.0 * cross(direction, {way.x / size, way.y / size}) / size, size};
+  }
+  /// True if the turn from one curve to the other is at most a quarter.
+  static bool goes_on(const Departure& a, const Departure& b) {
+    constexpr double kRounded = 1e-9;
+    return dot(a.direction, b.direction) <= kRounded && (a.direction != Vec2{} && b.direction != Vec2{});
+  }
+
+  /// Where an even number of ends meet, curves cross or touch. Each goes on most straight, if all do within a quarter
+  /// of a turn, unless the only ends at the same positions do that already.
+  void pair_crossings() {
+    if (std::ranges::none_of(cells_, [](const auto& cell) { return cell.second.size() > 1; })) return;
+    through_.assign(2 * curves_.size(), kNone);
+    std::vector<bool> is_seen(through_.size());
+    for (std::size_t end = 0; end < through_.size(); ++end) {
+      if (is_seen[end] || curves_[end / 2].is_closed()) continue;
+      is_seen[end] = true;
+      const std::vector<std::size_t> group = ends_near(end);
+      if (group.size() < 4 || group.size() > kMostAtCrossing || group.size() % 2 != 0) continue;
+      if (!std::ranges::all_of(group, [&](std::size_t other) { return ends_near(other) == group; })) continue;
+      for (const std::size_t other : group) is_seen[other] = true;
+      pair_group(group);
+    }
+  }
+  void pair_group(const std::vector<std::size_t>& group) {
+    std::vector<Departure> out;
+    double size = std::numeric_limits<double>::infinity();
+    for (const std::size_t end : group) {
+      out.push_back(departure_of(end));
+      size = std::min(size, out.back().size);
+    }
+    const bool are_paired = std::ranges::all_of(out, [&](const Departure& one) {
+      const std::size_t other = only_partner_of(one.end);
+      const auto its = std::ranges::find(out, other, &Departure::end);
+      return its != out.end() && only_partner_of(other) == one.end && goes_on(one, *its);
+    });
+    if (are_paired) return;
+    struct Pair {
+      double turn;
+      std::size_t a;
+      std::size_t b;
+    };
+    // Of tangent curves the one goes on that bends alike: its turn is measured a little way on.
+    std::vector<Pair> pairs;
+    for (std::size_t a = 0; a < out.size(); ++a)
+      for (std::size_t b = 0; b < a; ++b) {
+        if (out[a].end == (out[b].end ^ 1U) && !may_close(out[a].end / 2)) continue;
+        if (!goes_on(out[a], out[b])) continue;
+        const Vec2 sum = out[a].direction + out[b].direction;
+        pairs.push_back({length(sum) + size * std::abs(out[a].curvature + out[b].curvature), b, a});
+      }
+    // Symmetric crossings have equal turns; the directions decide, since the order of the curves must not.
+    const auto key = [&out](const Pair& one) {
+      const Vec2 p = out[one.a].direction;
+      const Vec2 q = out[one.b].direction;
+      return lexicographically_less(p, q) ? std::array{p.x, p.y, q.x, q.y} : std::array{q.x, q.y, p.x, p.y};
+    };
+    std::ranges::sort(
+        pairs, [&](const Pair& p, const Pair& q) { return p.turn != q.turn ? p.turn < q.turn : key(p) < key(q); });
+    std::vector<std::size_t> partner(out.size(), kNone);
+    for (const Pair& pair : pairs) {
+      if (partner[pair.a] != kNone || partner[pair.b] != kNone) continue;
+      partner[pair.a] = pair.b;
+      partner[pair.b] = pair.a;
+    }
+    if (std::ranges::find(partner, kNone) != partner.end()) return;
+    for (std::size_t i = 0; i < out.size(); ++i) through_[out[i].end] = out[partner[i]].end;
+  }
+
+  // More ends than these are a star, which stays apart.
+  static constexpr std::size_t kMostAtCrossing = 64;
+
   const std::vector<PlaneCurve>& curves_;
+  std::vector<std::size_t> through_;  ///< for each end, the one on which its curve goes on at a crossing
   double tolerance_;
   Vec2 origin_;                                                        // origin of the cells
   std::unordered_map<std::uint64_t, std::vector<std::size_t>> cells_;  ///< ends at one position are side by side

@@ -69,6 +69,53 @@ TEST_CASE("where three meet none are joined, and ends that are too far apart nei
   CHECK(joined_ends(star, 0.0).size() == 4);
 }
 
+TEST_CASE("curves that cross or touch where they were cut go on most straight, in any order of the pieces") {
+  Rng rng(9);
+  const auto half = [](Vec2 center, double radius, double from) {
+    const EllipticArc arc{center, {radius, 0}, {0, radius}, from, std::numbers::pi};
+    const auto at = [&](double angle) { return center + radius * Vec2{std::cos(angle), std::sin(angle)}; };
+    PlaneCurve out(at(from));
+    out.arc_to(arc, at(from + std::numbers::pi));
+    return out;
+  };
+  const auto joined_in_any_order = [&](std::vector<PlaneCurve> pieces) {
+    for (std::size_t i = pieces.size(); i > 1; --i) std::swap(pieces[i - 1], pieces[rng.below(i)]);
+    for (PlaneCurve& piece : pieces)
+      if (rng.below(2) == 0) piece = reversed(piece);
+    return joined_ends(pieces, 1e-6);
+  };
+  for (int round = 0; round < 20; ++round) {
+    // Circles that touch from inside, from outside, and three in one point.
+    const double turn = 0.37 * round;
+    const Vec2 way{std::cos(turn), std::sin(turn)};
+    for (const std::vector<double>& radii : {std::vector{5.0, 3.0}, {5.0, -3.0}, {5.0, 4.0, -2.0}}) {
+      std::vector<PlaneCurve> pieces;
+      for (const double radius : radii) {
+        // All go through the point 5 way.
+        pieces.push_back(half((5.0 - radius) * way, std::abs(radius), turn));
+        pieces.push_back(half((5.0 - radius) * way, std::abs(radius), turn + std::numbers::pi));
+      }
+      const std::vector<PlaneCurve> joined = joined_in_any_order(pieces);
+      REQUIRE(joined.size() == radii.size());
+      for (const PlaneCurve& one : joined) {
+        CHECK(one.is_closed());
+        REQUIRE(one.arcs().size() == 2);
+        CHECK(one.arcs()[0].center == one.arcs()[1].center);
+      }
+    }
+  }
+  // Four lines into one point are two.
+  const std::vector<PlaneCurve> cross{line({0, 0}, {5, 1}), line({0, 0}, {-5, -1.1}), line({0, 0}, {0, 2}),
+                                      line({0, 0}, {0.1, -2})};
+  const std::vector<PlaneCurve> through = joined_in_any_order(cross);
+  REQUIRE(through.size() == 2);
+  for (const PlaneCurve& one : through) CHECK(std::abs(dot(one.start(), one.end())) > 3.9);
+  // Where one would turn back, nothing is joined.
+  CHECK(
+      joined_in_any_order({line({0, 0}, {5, 1}), line({0, 0}, {-5, 1}), line({0, 0}, {0, 2}), line({0, 0}, {0.1, 2})})
+          .size() == 4);
+}
+
 TEST_CASE("a star of ends stays apart, whatever lies near its middle") {
   std::vector<PlaneCurve> rays;
   for (int i = 0; i < 3000; ++i) rays.push_back(line({0, 0}, {1.0 + i, 5.0}));
