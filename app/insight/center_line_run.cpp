@@ -264,7 +264,7 @@ Expected<CenterLines> compute_center_lines(const Registry& registry, const Sampl
     return no_line(ErrorCode::usage,
                    "the two points are nearest to the same end of the axis, or to ends of two shapes");
   if (out.lines.empty()) {
-    if (wish.is_exact && outline.graph().edges.empty()) return no_line(ErrorCode::cannot_compute, kNothingEnclosed);
+    if (wish.is_exact && outline.graph().regions == 0) return no_line(ErrorCode::cannot_compute, kNothingEnclosed);
     const std::string reason = wish.is_exact ? "" : lambda.reason();
     const std::string usual =
         out.points == 0 ? "nothing is enclosed" : "every shape is so compact that its pruned axis is a point";

@@ -55,6 +55,7 @@ struct Bead {
   Vec2 center{};       // on the axis
   double along = 0.0;  // arc length of the axis there
   double reach = 0.0;  // how far it may move
+  double part = 0.0;   // of the way along the axis from the bead before to the next
 };
 
 // Beads are at most an eighth of the radius apart, and no farther than the tolerance t; each moves by at most half of
@@ -81,6 +82,10 @@ std::vector<Bead> beads_of(const CenterLine& line, const AxisByLength& axis, con
   // The ends of an open line stay. Those of a closed line are one bead, which moves if the last step allows it.
   out.push_back({line.axis.back(), whole, line.is_closed && was_free ? out.front().reach : 0.0});
   out.front().reach = out.back().reach;
+  for (std::size_t i = 0; i + 1 < out.size(); ++i) {
+    const double behind = i != 0 ? out[i].along - out[i - 1].along : whole - out[out.size() - 2].along;
+    out[i].part = behind / (behind + (out[i + 1].along - out[i].along));
+  }
   return out;
 }
 
@@ -92,12 +97,10 @@ void move_beads(const std::vector<Bead>& beads, bool is_closed, double share, st
     const Bead& bead = beads[i];
     if (bead.reach == 0.0) continue;
     const std::size_t last = i != 0 ? i - 1 : (is_closed ? n - 2 : 0);
-    const double behind = i != 0 ? bead.along - beads[last].along : beads.back().along - beads[last].along;
-    const double ahead = beads[i + 1].along - bead.along;
-    const double part = behind / (behind + ahead);
-    const Vec2 between = (1.0 - part) * before[last] + part * before[i + 1];
+    const Vec2 between = (1.0 - bead.part) * before[last] + bead.part * before[i + 1];
     Vec2 move = before[i] + share * (between - before[i]) - bead.center;
-    if (const double size = length(move); size > bead.reach) move = (bead.reach / size) * move;
+    if (std::abs(move.x) + std::abs(move.y) > bead.reach)
+      if (const double size = length(move); size > bead.reach) move = (bead.reach / size) * move;
     places[i] = bead.center + move;
   }
   if (is_closed) places.back() = places.front();
