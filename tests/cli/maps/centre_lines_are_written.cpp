@@ -544,6 +544,8 @@ TEST_CASE("the samples of a session stay, and those of a drawing are taken again
 TEST_CASE("what has no centre line gets one line and an exit code") {
   CHECK_THAT(line_fault(1, {"-"}, "POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0))"),
              Catch::Contains("no centre line: every shape"));
+  CHECK_THAT(line_fault(1, {"-", "--exact"}, "<svg><circle cx='3' cy='3' r='2'/></svg>"),
+             Catch::Contains("no centre line: every shape"));
   CHECK_THAT(line_fault(1, {"-"}, "POINT (1 2)"), Catch::Contains("no centre line"));
   CHECK_THAT(line_fault(1, {"-"}, "LINESTRING (0 0, 1 3)"),
              Catch::Contains("no centre line: no closed outline encloses anything"));
