@@ -266,9 +266,9 @@ Expected<CenterLines> compute_center_lines(const Registry& registry, const Sampl
   if (out.lines.empty()) {
     if (wish.is_exact && outline.graph().regions == 0) return no_line(ErrorCode::cannot_compute, kNothingEnclosed);
     const std::string reason = wish.is_exact ? "" : lambda.reason();
-    const std::string usual =
-        out.points == 0 && !wish.is_exact ? "nothing is enclosed"
-                                            : "every shape is so compact that its pruned axis is a point";
+    const std::string usual = out.points == 0 && !wish.is_exact
+                                  ? "nothing is enclosed"
+                                  : "every shape is so compact that its pruned axis is a point";
     return no_line(ErrorCode::cannot_compute, "there is no centre line: " + (reason.empty() ? usual : reason));
   }
   smooth(out, wish.tolerance);

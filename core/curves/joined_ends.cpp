@@ -184,7 +184,7 @@ class CurveEnds {
       std::size_t a;
       std::size_t b;
     };
-    // Of tangent curves the one goes on that bends alike: its turn is measured a little way on.
+    // A curve that touches another goes on where the bend is alike: its turn is measured a little way on.
     std::vector<Pair> pairs;
     for (std::size_t a = 0; a < out.size(); ++a)
       for (std::size_t b = 0; b < a; ++b) {

@@ -125,7 +125,7 @@ TEST_CASE("of several things that are missing the first is said, each in words o
   is_running = is_reading = false;
   CHECK(bindings.is_enabled(ActionId::present_lesson));
   CHECK(bindings.is_enabled(ActionId::next_bundle));
-  // What is put before the others is said first.
+  // The need that was put first is named first.
   bindings.bind(ActionId::undo, {[] {}, condition.after({[&] { return is_running; }, "nothing runs"})});
   has_lesson = false;
   CHECK(bindings.missing(ActionId::undo) == "nothing runs");

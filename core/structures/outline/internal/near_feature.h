@@ -36,7 +36,7 @@ struct NearFeature {
     return dot(p - at, (p - *center) + (at - *center)) / (length(p - *center) + length(at - *center));
   }
   double distance(Vec2 p) const { return std::abs(signed_distance(p)); }
-  /// Of the distance; `inside` says on which side of a line or circle a place on it counts. Zero at a point itself, and
+  /// The gradient of the distance; `inside` says on which side of a line or circle a place on it is. Zero at a point and
   /// at the centre of a circle.
   Vec2 gradient(Vec2 p, bool inside) const {
     if (is_line()) return inside ? -normal : normal;

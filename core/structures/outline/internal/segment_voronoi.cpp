@@ -324,8 +324,8 @@ class InnerVoronoi {
     });
   }
 
-  /// What an edge becomes in a circle that touches both of its features from inside, one of them an arc of it. At the
-  /// centre they are equally far, and elsewhere in the circle only along one radius. Chords have edges there instead.
+  /// A circle touches two features from inside, and one of them is an arc of it. At its centre they are equally far, and
+  /// elsewhere in it only along one radius. Chords have edges there, which become the centre or nothing.
   struct InCircle {
     OutlineNode center{};
     bool is_center = false;  ///< the edge becomes the centre; otherwise nothing
