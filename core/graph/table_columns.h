@@ -54,7 +54,7 @@ struct TableColumn {
   bool is_reference = false;
   std::string refers_to{};              ///< full name, as in "delaunay/sites"
   std::optional<RowNumber> infinity{};  ///< row number of the vertex at infinity, if the column contains it
-  /// Of pairs x, y: some may be directions, which lie nowhere on a map; otherwise all are positions.
+  /// True if some pairs x, y may be directions, which lie nowhere on a map; otherwise all are positions.
   bool has_directions = false;
   /// Whether the change sets of the table name each row in which the column changed.
   bool is_followed = true;

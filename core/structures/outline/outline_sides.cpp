@@ -59,16 +59,15 @@ std::optional<Vec2> center_through(Vec2 from, Vec2 middle, Vec2 to) {
   return middle + (0.5 / area) * Vec2{dot(a, a) * b.y - dot(b, b) * a.y, dot(b, b) * a.x - dot(a, a) * b.x};
 }
 
-/// A chord from where the one before ends.
+/// A chord begins where the one before ends.
 struct Chord {
   Vec2 to{};
   std::optional<Vec2> center{};  ///< of the circle that it stands for
   bool is_arc = false;
 };
 
-/// Where an arc of a circle is divided that is this part of an arc: not quite in the middle. Chords of equal length all
-/// touch a smaller circle, and exact predicates are slow where many sides touch one circle. Backwards along the arc
-/// parts are divided at the same places.
+/// The share at which part number `part` of an arc of a circle is divided, near 1/2. Chords of equal length all touch one
+/// smaller circle, and exact predicates are slow there. Backwards along the arc the places are the same.
 double share_of_first(std::uint32_t part, std::uint32_t parts) {
   const std::uint32_t from_end = parts - 1 - part;
   if (part == from_end) return 0.5;
@@ -78,7 +77,7 @@ double share_of_first(std::uint32_t part, std::uint32_t parts) {
   return part < from_end ? 0.5 + offset : 0.5 - offset;
 }
 
-/// Adds the chords of a curved piece, which is one of so many `parts` of the whole one.
+/// Adds the chords of a curved piece, which is part number `part` when the whole piece has `parts` equal ones.
 void add_chords(const Piece& piece, double tolerance, std::uint32_t part, std::uint32_t parts,
                 std::vector<Chord>& out) {
   std::optional<Vec2> center = center_of_circle(piece);
@@ -391,7 +390,7 @@ void OutlineSides::add(std::span<const PlaneCurve> curves, double tolerance) {
 
 void OutlineSides::add(std::span<const Piece> pieces, bool is_closed, double tolerance) {
   const std::size_t count = pieces.size();
-  // A short line that closes a gap between ends, as in drawings with few decimals, is no corner.
+  // In drawings with few decimals a short line closes the gap between two ends. The curve goes on smoothly across it.
   const auto is_gap = [&](std::size_t i) {
     return pieces[i].kind == PieceKind::line && distance(pieces[i].from(), pieces[i].to()) <= tolerance;
   };

@@ -472,7 +472,7 @@ class InnerVoronoi {
     const SmoothPlace& place = out_.features[*std::ranges::find_if_not(around, is_beside)].smooth;
     const auto is_next = [&](OutlineFeatureSlot i) { return out_.features[i].smooth.is_next_to(place); };
     if (std::ranges::count_if(around, is_beside) != 2 || !std::ranges::all_of(beside, is_next)) return usual;
-    // Circle of the chord at a distance along the curve, where the node is inside.
+    // The circle of the chord so many steps farther along the curve, if it holds the node.
     const auto circle = [&](std::int64_t steps) -> std::optional<OutlineNode> {
       const std::int64_t number = place.number + steps;
       const std::int64_t count = place.count;
@@ -499,7 +499,7 @@ class InnerVoronoi {
     const std::optional<OutlineNode> after = circle(at + 2);
     const double low = before ? most->radius / before->radius - 1.0 : 0.0;
     const double high = after ? most->radius / after->radius - 1.0 : 0.0;
-    if (low > 0.0 || high > 0.0) return usual;  // it turns more farther away
+    if (low > 0.0 || high > 0.0) return usual;  // the curve turns more farther away
     constexpr double kSmooth = -0.25;           // otherwise the curvature jumps
     if (before && after && low > kSmooth && high > kSmooth && low + high < 0.0) {
       const double share = 0.5 * (low - high) / (low + high);
@@ -509,7 +509,7 @@ class InnerVoronoi {
       out = {between(before->center, most->center, after->center),
              between(before->radius, most->radius, after->radius)};
     }
-    // Its disk lies in that of the chords, apart from what the curve is away from these.
+    // The new disk must lie in that of the chords, up to the distance between curve and chords.
     constexpr double kAway = 0x1p-10;
     return distance(out.center, usual.center) + out.radius <= (1.0 + kAway) * usual.radius ? out : usual;
   }
