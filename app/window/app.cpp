@@ -47,7 +47,8 @@ App::App(LiveRegistry registry, std::unique_ptr<GlfwWindow> window, const std::f
                dialogs_.manual, settings_.settings(), messages_}),
       input_({screen_, board_.canvas(), work_.editor().selection(), work_.annotations(), dialogs_, documents_,
               experiments_, recording_, keys_.actions(), messages_, panels_.presenter(), panels_.mark_drag(),
-              [this] { board_.open_menu(); }, [this](std::ptrdiff_t rows) { return panels_.step_in_list(rows); }}) {
+              [this] { board_.open_menu(); }, [this](std::ptrdiff_t rows) { return panels_.step_in_list(rows); },
+              [this] { follow_hold(); }}) {
   bind_actions();
   recording_.recorder().set_take_source([this] { return session_for_lesson(documents_.session_now()); });
   dialogs_.browser.use_formats(work_.live_registry());
@@ -201,7 +202,7 @@ void App::deliver_events() try {
 // shows every change with its structures, so it cannot be held.
 void App::follow_hold() try {
   const Canvas& canvas = board_.canvas();
-  const bool is_down = ImGui::GetIO().KeyAlt || input_.is_update_held();
+  const bool is_down = input_.is_update_held();
   is_held_by_key_ = is_down && (is_held_by_key_ || canvas.is_hovered() || canvas.has_pointer());
   work_.follow_hold(!recording_.recorder().wants_exact_picture(), is_held_by_key_);
 } catch (const std::bad_alloc&) {

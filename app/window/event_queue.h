@@ -20,14 +20,16 @@ class EventQueue {
   void push_move(Act act) { events_.push_back({true, std::move(act)}); }
   bool is_empty() const { return events_.empty(); }
 
-  /// Runs events while `may_go_on`; of several moves in a row only the last, unless `needs_each_move`.
-  void deliver(const std::function<bool()>& may_go_on, const std::function<bool()>& needs_each_move) {
+  /// Runs events while `may_go_on`, and `after` each; of several moves in a row only the last, unless `needs_each_move`.
+  void deliver(const std::function<bool()>& may_go_on, const std::function<bool()>& needs_each_move,
+               const std::function<void()>& after) {
     while (!events_.empty() && may_go_on()) {
       const Event event = std::move(events_.front());
       events_.pop_front();
       const bool is_followed = event.is_move && !events_.empty() && events_.front().is_move;
       if (is_followed && !needs_each_move()) continue;
       event.act();
+      after();
     }
   }
 

@@ -43,8 +43,8 @@ void WindowInput::deliver() {
   };
   waits_for_panels_ = false;
   events_.deliver(
-      [&] { return uses_.dialogs.open() == open && !waits_for_panels_ && !uses_.recording.holds_input(); },
-      is_stroke);
+      [&] { return uses_.dialogs.open() == open && !waits_for_panels_ && !uses_.recording.holds_input(); }, is_stroke,
+      uses_.follow_hold);
   if (!events_.is_empty() && !uses_.recording.holds_input()) uses_.screen.clock.want(2);
 }
 
@@ -246,23 +246,26 @@ void WindowInput::on_typed(char32_t symbol, bool repeated) {
 }
 
 void WindowInput::on_space(bool held) {
-  uses_.canvas.set_space_held(held && !uses_.screen.gui.wants_text() && !uses_.screen.gui.has_popup());
+  events_.push([this, held] {
+    uses_.canvas.set_space_held(held && !uses_.screen.gui.wants_text() && !uses_.screen.gui.has_popup());
+  });
 }
 
 void WindowInput::on_key_held(char32_t symbol, bool held) {
-  if (!held) {
-    is_update_held_ = is_update_held_ && symbol != kHoldKey && symbol != 0;
-    return;
-  }
-  const bool is_free = !uses_.actions.keymap().find({kHoldKey, {}}, true) && uses_.dialogs.open().empty() &&
-                       !uses_.screen.gui.wants_text() && !uses_.screen.gui.has_popup();
-  is_update_held_ = is_update_held_ || (symbol == kHoldKey && is_free);
+  events_.push([this, symbol, held] {
+    if (symbol == 0) is_alt_held_ = is_hold_key_held_ = false;
+    if (symbol != kHoldKey) return;
+    const bool is_free = !uses_.actions.keymap().find({kHoldKey, {}}, true) && uses_.dialogs.open().empty() &&
+                         !uses_.screen.gui.wants_text() && !uses_.screen.gui.has_popup();
+    is_hold_key_held_ = held && (is_hold_key_held_ || is_free);
+  });
 }
 
 // Gestures and snapping depend on the modifiers, even if the pointer rests. Nothing depends on them below a dialog,
 // and after it the pointer is where it was.
 void WindowInput::on_modifiers(Modifiers modifiers) {
   events_.push([this, px = pointer_px_, modifiers] {
+    is_alt_held_ = modifiers.alt;
     const Canvas& canvas = uses_.canvas;
     if (canvas.is_hovered() && (canvas.has_pointer() || !uses_.screen.gui.wants_pointer(px)))
       uses_.canvas.move(px, modifiers);

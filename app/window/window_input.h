@@ -40,6 +40,7 @@ class WindowInput final : private WindowListener {
     MarkDrag& mark_drag;
     std::function<void()> open_menu;                        ///< opens the menu of a right click on the canvas
     std::function<bool(std::ptrdiff_t rows)> step_in_list;  ///< returns false if no list is under the pointer
+    std::function<void()> follow_hold;                      ///< holds or releases the update; called after each event
   };
   explicit WindowInput(const Uses& uses);
   ~WindowInput() override;
@@ -47,8 +48,8 @@ class WindowInput final : private WindowListener {
   /// Called once per turn: handles the events that have arrived.
   void deliver();
   bool has_waiting_events() const { return !events_.is_empty(); }
-  /// True while the key that holds the update is down (`kHoldKey`).
-  bool is_update_held() const { return is_update_held_; }
+  /// True if a key that holds the update, Alt or `kHoldKey`, was down at the event handled last.
+  bool is_update_held() const { return is_alt_held_ || is_hold_key_held_; }
   /// Last position of the pointer, in framebuffer pixels.
   Vec2 pointer_px() const { return pointer_px_; }
 
@@ -99,7 +100,8 @@ class WindowInput final : private WindowListener {
   bool is_on_panel_ = false;       // the last press was on a panel, and the pointer has not left it since
   bool has_come_again_ = false;    // the present key was delivered again
   bool ends_recording_ = false;    // such a key is waiting in the queue
-  bool is_update_held_ = false;
+  bool is_alt_held_ = false;
+  bool is_hold_key_held_ = false;
 };
 
 }  // namespace mes

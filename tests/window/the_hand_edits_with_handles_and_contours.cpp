@@ -138,6 +138,30 @@ TEST_CASE("while Alt is held structures stay as they are, and follow when it is 
   CHECK(window.saved().positions[3].x > 0.2);
 }
 
+TEST_CASE("keys that are held count in the order of the events, however late these come") {
+  const EditedWindow window(kSquare);
+  const PixelBox samples = window.samples();
+  window.program.pause();
+  window.screen.xdotool("keydown alt");
+  window.drag({samples.left + 3, samples.top + 3}, {samples.left + 150, samples.top + 120});
+  window.move_to({990, 780});
+  window.program.go_on();
+  const Screenshot held = window.screen.settled();
+  window.screen.xdotool("keyup alt");
+  const Screenshot released = window.screen.settled();
+  CHECK(held.changes(kCanvas, released) > 200);
+  CHECK(window.saved().positions[3].x > 0.2);
+  // A drag with the space bar held moves the view.
+  const PixelBox before = window.samples();
+  window.program.pause();
+  window.screen.xdotool("keydown space");
+  window.drag({samples.left + 50, samples.bottom - 50}, {samples.left + 80, samples.bottom - 50});
+  window.screen.xdotool("keyup space");
+  window.move_to({990, 780});
+  window.program.go_on();
+  CHECK(window.samples().left == before.left + 30);
+}
+
 TEST_CASE("Ctrl holds off snapping, and lets it go on, under a pointer that rests") {
   const EditedWindow window(kSquare);
   const PixelBox samples = window.samples();

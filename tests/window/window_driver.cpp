@@ -83,6 +83,14 @@ bool Child::is_running() {
   return false;
 }
 
+void Child::pause() const {
+  ::kill(pid_, SIGSTOP);
+}
+
+void Child::go_on() const {
+  ::kill(pid_, SIGCONT);
+}
+
 int Child::wait() {
   if (pid_ > 0) waitpid(pid_, &status_, 0);
   pid_ = -1;

@@ -40,6 +40,9 @@ class Child {
   bool is_running();
   /// Exit code, or 128 + signal; waits.
   int wait();
+  /// Hears of no event until `go_on`; then of all at once, as on a busy machine.
+  void pause() const;
+  void go_on() const;
 
  private:
   pid_t pid_ = -1;
