@@ -263,6 +263,42 @@ TEST_CASE("a ring has a closed line, two shapes a line each, and two points choo
   CHECK(distance(several.lines[1].points.front().place, {8.0, 0.0}) < 0.1);
 }
 
+TEST_CASE("smoothing keeps circles and long waves, and removes short ones") {
+  // The axis of a ring: beads are an eighth of the radius 2 apart.
+  CenterLine ring;
+  ring.is_closed = true;
+  constexpr int kPieces = 2000;
+  for (int i = 0; i < kPieces; ++i) {
+    ring.axis.push_back(5.0 * Vec2{std::cos(2.0 * kPi * i / kPieces), std::sin(2.0 * kPi * i / kPieces)});
+    ring.banks.push_back({Bank{{3.0, 0.0}, {}, true, Vec2{}}, Bank{{7.0, 0.0}, {}, true, Vec2{}}});
+  }
+  ring.axis.push_back(ring.axis.front());
+  smooth(ring, kUsualSmoothing);
+  for (const Vec2 p : places(ring)) CHECK(length(p) == Approx(5.0).epsilon(1e-5));
+
+  // What is left of a low wave of so many beads in a straight strip of half width 1.
+  const auto left_of = [](double beads) {
+    constexpr double kHeight = 1e-3;
+    CenterLine line;
+    const auto place = [&](int i) { return Vec2{0.01 * i, kHeight * std::sin(2.0 * kPi * 0.08 * i / beads)}; };
+    for (int i = 0; i < 4000; ++i) {
+      line.axis.push_back(place(i));
+      line.banks.push_back({Bank{{-1e3, 1.0}, {Vec2{1e3, 1.0}, Vec2{1e3, 1.0}}, true, {}},
+                            Bank{{-1e3, -1.0}, {Vec2{1e3, -1.0}, Vec2{1e3, -1.0}}, true, {}}});
+    }
+    line.axis.push_back(place(4000));
+    smooth(line, kUsualSmoothing);
+    double highest = 0.0;
+    for (const Vec2 p : places(line))
+      if (p.x > 10.0 && p.x < 30.0) highest = std::max(highest, std::abs(p.y));
+    return highest / kHeight;
+  };
+  CHECK(left_of(6.0) < 0.001);
+  CHECK(left_of(13.0) == Approx(0.42).margin(0.02));
+  CHECK(left_of(26.0) == Approx(0.98).margin(0.01));
+  CHECK(left_of(60.0) == Approx(1.0).margin(0.002));
+}
+
 TEST_CASE("a smoothed line stays within its tolerance and deep inside the balls") {
   for (const std::vector<Vec2>& samples : {river(1, 0.2), river(2, 0.2), river(3, 0.2, 0.2), star()}) {
     const LineBench bench(samples);
