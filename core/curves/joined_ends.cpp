@@ -230,6 +230,8 @@ void append(PlaneCurve& out, const Piece& piece) {
   }
 }
 
+}  // namespace
+
 Piece reversed(const Piece& piece) {
   Piece out = piece;
   switch (piece.kind) {
@@ -253,8 +255,6 @@ std::vector<Piece> pieces_of(const PlaneCurve& curve) {
   curve.for_each_piece([&out](const Piece& piece) { out.push_back(piece); });
   return out;
 }
-
-}  // namespace
 
 PlaneCurve reversed(const PlaneCurve& curve) {
   PlaneCurve out(curve.end());

@@ -9,6 +9,7 @@
 namespace mes {
 
 /// The same curve from its end to its start.
+Piece reversed(const Piece& piece);
 PlaneCurve reversed(const PlaneCurve& curve);
 
 /// Joins open curves whose ends are at most `tolerance` apart, and reverses them where necessary. A curve whose own

@@ -3,7 +3,6 @@
 
 #include <fmt/core.h>
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
 #include <cstddef>
@@ -18,6 +17,7 @@
 #include "core/curves/curve_bounds.h"
 #include "core/graph/size_refusal.h"
 #include "core/kernel/point_predicates.h"
+#include "core/structures/outline/internal/chords.h"
 
 namespace mes {
 namespace {
@@ -25,89 +25,6 @@ namespace {
 constexpr std::size_t kOften = 4096;
 /// An outline with more crossings takes minutes, and has more parts than anybody looks at.
 constexpr std::size_t kMostCrossings = 200'000;
-
-/// Chords turn by at most this from end to end, and joins that turn by less are smooth.
-constexpr double kMostTurn = 1.0 / 16.0;
-
-/// True if the directions differ by at most `kMostTurn`.
-bool go_on(Vec2 before, Vec2 after) {
-  return dot(before, after) > 0.0 && std::abs(cross(before, after)) <= kMostTurn * dot(before, after);
-}
-
-double distance_from_chord(Vec2 p, Vec2 from, Vec2 to) {
-  const Vec2 along = to - from;
-  const double size = length(along);
-  return size > 0.0 ? std::abs(cross(along, p - from)) / size : distance(p, from);
-}
-
-/// The centre of the circle of an arc, or nothing for one of an ellipse.
-std::optional<Vec2> center_of_circle(const Piece& piece) {
-  if (piece.kind != PieceKind::arc) return std::nullopt;
-  const EllipticArc& arc = piece.arc;
-  const double size = dot(arc.u, arc.u);
-  const double error = std::max(std::abs(dot(arc.u, arc.v)), std::abs(size - dot(arc.v, arc.v)));
-  return error <= 0x1p-40 * size ? std::optional(arc.center) : std::nullopt;
-}
-
-/// The centre of the circle through three points, or nothing if they nearly lie on a line.
-std::optional<Vec2> center_through(Vec2 from, Vec2 middle, Vec2 to) {
-  const Vec2 a = from - middle;
-  const Vec2 b = to - middle;
-  const double area = cross(a, b);
-  constexpr double kFlat = 1e-6;
-  if (!(std::abs(area) > kFlat * dot(b - a, b - a))) return std::nullopt;
-  return middle + (0.5 / area) * Vec2{dot(a, a) * b.y - dot(b, b) * a.y, dot(b, b) * a.x - dot(a, a) * b.x};
-}
-
-/// A chord begins where the one before ends.
-struct Chord {
-  Vec2 to{};
-  std::optional<Vec2> center{};  ///< of the circle that it stands for
-  bool is_arc = false;
-};
-
-/// The share at which part number `part` of an arc of a circle is divided, near 1/2. Chords of equal length all touch one
-/// smaller circle, and exact predicates are slow there. Backwards along the arc the places are the same.
-double share_of_first(std::uint32_t part, std::uint32_t parts) {
-  const std::uint32_t from_end = parts - 1 - part;
-  if (part == from_end) return 0.5;
-  std::uint32_t mixed = (std::min(part, from_end) + parts) * 2654435761U;  // 2^32 over the golden ratio
-  mixed ^= mixed >> 15U;
-  const double offset = 0x1p-6 * (static_cast<double>(mixed % 1024U) / 1024.0 - 0.5);
-  return part < from_end ? 0.5 + offset : 0.5 - offset;
-}
-
-/// Adds the chords of a curved piece, which is part number `part` when the whole piece has `parts` equal ones.
-void add_chords(const Piece& piece, double tolerance, std::uint32_t part, std::uint32_t parts,
-                std::vector<Chord>& out) {
-  std::optional<Vec2> center = center_of_circle(piece);
-  const bool is_arc = center.has_value();
-  const double share = is_arc ? share_of_first(part, parts) : 0.5;
-  if (!is_arc) center = center_through(piece.from(), piece.at(0.5), piece.to());
-  const auto is_near = [&](double t) {
-    constexpr double kArc = 1.0 / 64.0;  // arcs follow curves better than chords do
-    const double from_chord = distance_from_chord(piece.at(t), piece.from(), piece.to());
-    const double from_arc =
-        center ? std::abs(distance(piece.at(t), *center) - distance(piece.from(), *center)) : from_chord;
-    return from_chord <= tolerance && from_arc <= kArc * tolerance;
-  };
-  const bool is_straight = std::ranges::all_of(std::array{0.25, 0.5, 0.75}, is_near);
-  constexpr std::uint32_t kMostParts = 4096;
-  if (parts == kMostParts || (is_straight && go_on(piece.first_direction(), piece.last_direction()))) {
-    out.push_back({piece.to(), center, is_arc});
-    return;
-  }
-  add_chords(piece.part(0.0, share), tolerance, 2 * part, 2 * parts, out);
-  add_chords(piece.part(share, 1.0), tolerance, 2 * part + 1, 2 * parts, out);
-}
-
-/// Adds the chords that stand for a piece.
-void add_chords_of(const Piece& piece, double tolerance, std::vector<Chord>& out) {
-  if (piece.kind == PieceKind::line)
-    out.push_back({piece.to()});
-  else
-    add_chords(piece, tolerance, 0, 1, out);
-}
 
 bool by_ends(const OutlineSide& a, const OutlineSide& b) {
   return std::tie(a.from.x, a.from.y, a.to.x, a.to.y) < std::tie(b.from.x, b.from.y, b.to.x, b.to.y);

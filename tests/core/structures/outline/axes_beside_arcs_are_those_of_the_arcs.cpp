@@ -8,6 +8,7 @@
 #include <numbers>
 #include <vector>
 
+#include "core/base/rng.h"
 #include "core/curves/affine.h"
 #include "core/structures/filters/paths/center_line.h"
 #include "core/structures/outline/outline_center_lines.h"
@@ -253,4 +254,43 @@ TEST_CASE("the axis beside arcs does not depend on where curves begin and how th
   REQUIRE(a.size() > 50);
   CHECK(a.size() == b.size());
   CHECK(one.length() == Approx(other.length()).epsilon(1e-9));
+}
+
+TEST_CASE("a curved side that two shapes share has the same chords in both directions") {
+  Rng rng(7);
+  for (int i = 0; i < 400; ++i) {
+    const Vec2 from{rng.uniform(-50.0, 50.0), rng.uniform(-50.0, 50.0)};
+    const Vec2 to = from + Vec2{rng.uniform(-9.0, 9.0), rng.uniform(-9.0, 9.0)};
+    const double half = rng.uniform(0.1, 1.2);  // of the angle of the arc
+    const double radius = 0.5 * distance(from, to) / std::sin(half);
+    PlaneCurve one(from);
+    PlaneCurve other(to);
+    if (i % 4 == 0) {  // as bulges of DXF
+      const auto add = [](PlaneCurve& curve, Vec2 end, double bulge) {
+        const Vec2 center =
+            0.5 * (curve.end() + end) + (1.0 - bulge * bulge) / (4.0 * bulge) * perpendicular(end - curve.end());
+        const Vec2 u = curve.end() - center;
+        curve.arc_to({center, u, perpendicular(u), 0.0, 4.0 * std::atan(bulge)}, end);
+      };
+      add(one, to, -std::tan(0.5 * half));
+      add(other, from, std::tan(0.5 * half));
+    } else if (i % 4 == 1) {
+      const Vec2 a = from + 0.3 * perpendicular(to - from) + 0.2 * (to - from);
+      const Vec2 b = to + 0.4 * perpendicular(to - from) - 0.1 * (to - from);
+      one.cubic_to(a, b, to);
+      other.cubic_to(b, a, from);
+    } else {  // circles and ellipses of SVG, turning clockwise from the first end
+      const Vec2 radii = i % 4 == 2 ? Vec2{radius, radius} : Vec2{1.2 * radius, 1.5 * radius};
+      one.arc_to(arc_between(from, to, radii, 0.4, false, false).value(), to);
+      other.arc_to(arc_between(to, from, radii, 0.4, false, true).value(), from);
+    }
+    one.close();
+    other.line_to(0.5 * (from + to) + 10.0 * perpendicular(to - from));
+    other.close();
+    JobControl job;
+    const OutlineFaults faults = faults_of_outlines(std::array{one, other}, job);
+    CHECK(faults.crossings == 0);
+    CHECK(faults.overlaps == 0);
+    CHECK(faults.repeated == 0);
+  }
 }
