@@ -82,10 +82,11 @@ std::optional<Vec2> OutlineAxis::control_beside_curve(OutlineEdgeSlot slot) cons
   const Vec2 origin = graph_.nodes[edge.nodes[0]].center;
   const Vec2 end = graph_.nodes[edge.nodes[1]].center - origin;
   const std::array near{NearFeature::of(one, origin), NearFeature::of(other, origin)};
+  // The edge stays on one side of each feature, and leaves a cusp between two circles.
+  const Vec2 wide = graph_.nodes[edge.nodes[0]].radius > graph_.nodes[edge.nodes[1]].radius ? Vec2{} : end;
   const auto tangent_at = [&](Vec2 place) {
     std::array<Vec2, 2> gradients{};
-    for (std::size_t i = 0; i < 2; ++i)
-      gradients[i] = near[i].gradient(place, near[i].signed_distance(0.5 * end) < 0.0);
+    for (std::size_t i = 0; i < 2; ++i) gradients[i] = near[i].gradient(place, near[i].signed_distance(wide) < 0.0);
     if (gradients[0] == Vec2{} || gradients[1] == Vec2{}) return Vec2{};
     return perpendicular(gradients[0] - gradients[1]);
   };
@@ -159,7 +160,7 @@ void OutlineAxis::rebuild(JobControl& job) {
   if (const auto& source = source_.current()) {
     const std::vector<PlaneCurve>& curves = source->curves->curves;
     const double tolerance = outline_tolerance(curves);
-    sides.add(curves, tolerance);
+    sides.add(curves, tolerance, job);
     if (!std::ranges::all_of(curves, &PlaneCurve::is_polyline)) tolerance_ = tolerance;
   } else {
     for (std::size_t i = 0; i < contours_.row_count(); ++i) {

@@ -30,11 +30,36 @@ bool by_ends(const OutlineSide& a, const OutlineSide& b) {
   return std::tie(a.from.x, a.from.y, a.to.x, a.to.y) < std::tie(b.from.x, b.from.y, b.to.x, b.to.y);
 }
 
+double radius_of(const OutlineSide& side) {
+  return 0.5 * (distance(side.from, *side.center) + distance(side.to, *side.center));
+}
+
+/// The bow of a side reaches as far from it, in heights.
+constexpr double kBow = 4.0;
+
+/// How far the circle of a side leaves it.
+double height_of(const OutlineSide& side) {
+  const Vec2 chord = side.to - side.from;
+  return side.center ? dot(chord, chord) / (8.0 * radius_of(side)) : 0.0;
+}
+
+/// The middle of the arc that the side stands for.
+Vec2 middle_of(const OutlineSide& side) {
+  const Vec2 middle = 0.5 * side.from + 0.5 * side.to;
+  if (!side.center) return middle;
+  const Vec2 way = middle - *side.center;
+  const double size = length(way);
+  return size > 0.0 ? *side.center + (radius_of(side) / size) * way : middle;
+}
+
+/// Of the side and its bow.
 Box2 box_of(const OutlineSide& side) {
   Box2 box;
   box.add(side.from);
   box.add(side.to);
-  return box;
+  if (!side.center) return box;
+  const Vec2 margin = kBow * height_of(side) * Vec2{1.0, 1.0};
+  return {box.low - margin, box.high + margin};
 }
 
 BoxTree<std::uint32_t> tree_of(std::span<const OutlineSide> sides) {
@@ -208,6 +233,120 @@ std::size_t for_each_outline(std::span<const PlaneCurve> curves, auto use) {
   return repeats;
 }
 
+/// Sides that stand for curves, whose own chords may be what crosses.
+enum class Meeting : std::uint8_t { crosses, touches, unclear };
+
+/// Whether a point is so near the side that the axis between them depends on which chords the curve has.
+bool is_in_bow(Vec2 p, const OutlineSide& side) {
+  return side.center && can_split(p, side) && distance_from_chord(p, side.from, side.to) <= kBow * height_of(side);
+}
+
+bool are_on_one_circle(const OutlineSide& a, const OutlineSide& b, double least) {
+  return a.center && b.center && distance(*a.center, *b.center) <= least &&
+         std::abs(radius_of(a) - radius_of(b)) <= least;
+}
+
+/// How the curves of two sides meet that cross inside. They cross where the angle between the sides is much larger than
+/// those by which the curves turn along them. Curves whose chords leave them by no more than `least` touch.
+Meeting meeting_of(const OutlineSide& a, const OutlineSide& b, double least) {
+  const Vec2 along = a.to - a.from;
+  const Vec2 other = b.to - b.from;
+  constexpr double kLarge = 2.0;
+  const auto turn = [](const OutlineSide& side, Vec2 chord) {
+    return side.center ? length(chord) / radius_of(side) : 0.0;
+  };
+  if (std::abs(cross(along, other)) >= kLarge * (turn(a, along) + turn(b, other)) * length(along) * length(other))
+    return Meeting::crosses;
+  return std::max(height_of(a), height_of(b)) <= least ? Meeting::touches : Meeting::unclear;
+}
+
+/// Chords that leave their curves by less are those of the curve to rounding.
+double least_height(std::span<const OutlineSide> sides) {
+  Box2 extent;
+  for (const OutlineSide& side : sides) extent.add(box_of(side));
+  return 0x1p-44 *
+         std::max({std::abs(extent.low.x), std::abs(extent.low.y), std::abs(extent.high.x), std::abs(extent.high.y)});
+}
+
+/// The chords of the pieces of all outlines, in the order of `for_each_outline`.
+class CurveChords {
+ public:
+  CurveChords(std::span<const PlaneCurve> curves, double tolerance, JobControl& job) {
+    for_each_outline(curves, [&](const PlaneCurve& /*curve*/, std::span<const Piece> pieces) {
+      for (const Piece& piece : pieces) {
+        starts_.push_back(piece.from());
+        add_chords_of(piece, tolerance, chords_);
+        ends_.push_back(chords_.size());
+      }
+    });
+    // Chords of curves that touch cross near the point, and those of a thin lens are the same. Each round halves them.
+    constexpr int kMostRounds = 64;
+    const std::size_t most = 8 * chords_.size() + kOften;
+    for (int round = 0; round < kMostRounds && chords_.size() <= most && refine(job); ++round) {
+    }
+  }
+
+  /// Of the next piece.
+  std::span<const Chord> next() {
+    const std::size_t begin = next_ == 0 ? 0 : ends_[next_ - 1];
+    const std::size_t end = ends_[next_++];
+    return std::span(chords_).subspan(begin, end - begin);
+  }
+
+ private:
+  std::vector<OutlineSide> sides() const {
+    std::vector<OutlineSide> out;
+    out.reserve(chords_.size());
+    for (std::size_t piece = 0; piece < starts_.size(); ++piece) {
+      Vec2 at = starts_[piece];
+      for (std::size_t i = piece == 0 ? 0 : ends_[piece - 1]; i < ends_[piece]; ++i) {
+        const auto [from, to] = std::minmax(at, chords_[i].to, lexicographically_less);
+        out.push_back({.from = from, .to = to, .center = chords_[i].center});
+        at = chords_[i].to;
+      }
+    }
+    return out;
+  }
+
+  /// Halves chords that cross or are equal where their curves need not, and those near the ends of others. Returns whether
+  /// it found some.
+  bool refine(JobControl& job) {
+    if (std::ranges::none_of(chords_, [](const Chord& chord) { return chord.center.has_value(); })) return false;
+    const std::vector<OutlineSide> all = sides();
+    const double least = least_height(all);
+    std::vector<bool> is_halved(all.size(), false);
+    for_each_meeting(all, job, [&](std::uint32_t i, std::uint32_t j) {
+      const OutlineSide& a = all[i];
+      const OutlineSide& b = all[j];
+      if ((!a.center && !b.center) || are_on_one_circle(a, b, least)) return true;
+      const bool are_equal = a.from == b.from && a.to == b.to;
+      const bool is_unclear = are_equal ? distance(middle_of(a), middle_of(b)) > least
+                                        : cross_inside(a, b) && meeting_of(a, b, least) == Meeting::unclear;
+      if (is_unclear || is_in_bow(b.from, a) || is_in_bow(b.to, a))
+        is_halved[i] = is_halved[i] || height_of(a) > least;
+      if (is_unclear || is_in_bow(a.from, b) || is_in_bow(a.to, b))
+        is_halved[j] = is_halved[j] || height_of(b) > least;
+      return true;
+    });
+    if (std::ranges::find(is_halved, true) == is_halved.end()) return false;
+    std::vector<Chord> finer;
+    std::size_t piece = 0;
+    for (std::size_t i = 0; i < chords_.size(); ++i) {
+      for (; ends_[piece] == i; ++piece) ends_[piece] = finer.size();
+      if (is_halved[i]) finer.push_back({middle_of(all[i]), chords_[i].center, chords_[i].is_arc});
+      finer.push_back(chords_[i]);
+    }
+    for (; piece < ends_.size(); ++piece) ends_[piece] = finer.size();
+    chords_ = std::move(finer);
+    return true;
+  }
+
+  std::vector<Chord> chords_;
+  std::vector<Vec2> starts_;       // of each piece
+  std::vector<std::size_t> ends_;  // number of chords before the end of each piece
+  std::size_t next_ = 0;
+};
+
 /// All ends, each once, sorted.
 std::vector<Vec2> ends_of(std::span<const OutlineSide> sides) {
   std::vector<Vec2> out;
@@ -239,26 +378,24 @@ OutlineFaults faults_of_outlines(std::span<const PlaneCurve> curves, JobControl&
     bool is_below = false;  ///< the outline lies above the side
   };
   std::vector<Use> uses;
-  const double tolerance = outline_tolerance(curves);
+  CurveChords chords(curves, outline_tolerance(curves), job);
   std::uint32_t outline = 0;
   out.same = for_each_outline(curves, [&](const PlaneCurve& curve, std::span<const Piece> pieces) {
-    if (!curve.is_closed()) return;
     std::vector<OutlineSide> own;
     double twice_area = 0.0;
     const Vec2 origin = pieces.front().from();
-    const auto add = [&](Vec2 from, Vec2 to) {
+    const auto add = [&](Vec2 from, Vec2 to, std::optional<Vec2> center) {
       if (from == to) return;
       twice_area += cross(from - origin, to - origin);
       const bool is_forward = lexicographically_less(from, to);
-      own.push_back({is_forward ? from : to, is_forward ? to : from, is_forward});
+      own.push_back(
+          {.from = is_forward ? from : to, .to = is_forward ? to : from, .separates = is_forward, .center = center});
     };
-    std::vector<Chord> chords;
     for (const Piece& piece : pieces) {
-      chords.clear();
-      add_chords_of(piece, tolerance, chords);
       Vec2 at = piece.from();
-      for (const Chord& chord : chords) add(std::exchange(at, chord.to), chord.to);
+      for (const Chord& chord : chords.next()) add(std::exchange(at, chord.to), chord.to, chord.center);
     }
+    if (!curve.is_closed()) return;
     std::ranges::sort(own, by_ends);
     const auto are_equal = [](const OutlineSide& a, const OutlineSide& b) {
       return a.from == b.from && a.to == b.to;
@@ -267,11 +404,12 @@ OutlineFaults faults_of_outlines(std::span<const PlaneCurve> curves, JobControl&
     out.repeated += rest.size();
     own.erase(rest.begin(), rest.end());
     for (const OutlineSide& side : own) {
-      sides.push_back({side.from, side.to});
+      sides.push_back({.from = side.from, .to = side.to, .center = side.center});
       uses.push_back({outline, side.separates == (twice_area > 0.0)});
     }
     ++outline;
   });
+  const double least = least_height(sides);
   for_each_meeting(sides, job, [&](std::uint32_t i, std::uint32_t j) {
     if (have_common_part(sides[i], sides[j])) {
       if (uses[i].outline == uses[j].outline)
@@ -279,7 +417,8 @@ OutlineFaults faults_of_outlines(std::span<const PlaneCurve> curves, JobControl&
       else if (uses[i].is_below == uses[j].is_below)
         ++out.overlaps;
     }
-    return !cross_inside(sides[i], sides[j]) || ++out.crossings <= kMostCrossings;
+    if (!cross_inside(sides[i], sides[j]) || meeting_of(sides[i], sides[j], least) == Meeting::touches) return true;
+    return ++out.crossings <= kMostCrossings;
   });
   return out;
 }
@@ -299,13 +438,17 @@ void OutlineSides::add(Vec2 from, Vec2 to, bool is_of_closed_contour) {
   add(OutlineSide{.from = from, .to = to, .separates = is_of_closed_contour});
 }
 
-void OutlineSides::add(std::span<const PlaneCurve> curves, double tolerance) {
+void OutlineSides::add(std::span<const PlaneCurve> curves, double tolerance, JobControl& job) {
+  CurveChords chords(curves, tolerance, job);
   for_each_outline(curves, [&](const PlaneCurve& curve, std::span<const Piece> pieces) {
-    add(pieces, curve.is_closed(), tolerance);
+    std::vector<std::span<const Chord>> own;
+    for (std::size_t i = 0; i < pieces.size(); ++i) own.push_back(chords.next());
+    add(pieces, own, curve.is_closed(), tolerance);
   });
 }
 
-void OutlineSides::add(std::span<const Piece> pieces, bool is_closed, double tolerance) {
+void OutlineSides::add(std::span<const Piece> pieces, std::span<const std::span<const Chord>> chords, bool is_closed,
+                       double tolerance) {
   const std::size_t count = pieces.size();
   // In drawings with few decimals a short line closes the gap between two ends. The curve goes on smoothly across it.
   const auto is_gap = [&](std::size_t i) {
@@ -328,14 +471,10 @@ void OutlineSides::add(std::span<const Piece> pieces, bool is_closed, double tol
   const bool is_round = first == count;
   const std::size_t begin = sides_.size();
   SmoothPlace place{.stretch = stretches_++};
-  std::vector<Chord> chords;
   for (std::size_t k = 0; k < count; ++k) {
     const std::size_t i = (first + k) % count;
-    const Piece& piece = pieces[i];
-    chords.clear();
-    add_chords_of(piece, tolerance, chords);
-    Vec2 at = piece.from();
-    for (const Chord& chord : chords) {
+    Vec2 at = pieces[i].from();
+    for (const Chord& chord : chords[i]) {
       add({at, chord.to, is_closed, place, chord.center, chord.is_arc});
       if (at != chord.to) place.number += 2;
       at = chord.to;
@@ -383,19 +522,19 @@ void OutlineSides::add_cuts_of_crossing(std::uint32_t i, std::uint32_t j, double
   if (can_split(at, b)) cuts.emplace_back(j, at);
 }
 
-std::vector<OutlineSides::Cut> OutlineSides::crossings_of_sides(JobControl& job) {
-  Box2 extent;
-  for (const OutlineSide& side : sides_) extent.add(box_of(side));
-  const double tolerance = 0x1p-44 * std::max({std::abs(extent.low.x), std::abs(extent.low.y),
-                                               std::abs(extent.high.x), std::abs(extent.high.y)});
+std::optional<std::vector<OutlineSides::Cut>> OutlineSides::crossings_of_sides(JobControl& job,
+                                                                               std::size_t& crossings) const {
+  const double tolerance = least_height(sides_);
   std::vector<Cut> cuts;
-  const std::size_t before = crossings_;
+  std::size_t met = 0;
   for_each_meeting(sides_, job, [&](std::uint32_t i, std::uint32_t j) {
     if (!cross_inside(sides_[i], sides_[j])) return true;
     add_cuts_of_crossing(i, j, tolerance, cuts);
-    return ++crossings_ - before <= kMostCrossings;
+    if (meeting_of(sides_[i], sides_[j], tolerance) != Meeting::touches) ++crossings;
+    return ++met <= kMostCrossings;
   });
-  if (crossings_ - before > kMostCrossings)
+  if (met == 0) return std::nullopt;
+  if (met > kMostCrossings)
     throw SizeRefusal(fmt::format("the sides of the outline cross each other more than {} times", kMostCrossings));
   std::vector<Vec2> points;
   for (const Cut& cut : cuts) points.push_back(cut.second);
@@ -458,12 +597,12 @@ std::vector<OutlineSide> OutlineSides::take(JobControl& job) {
   split(ends_on_sides(job), Cuts::on_sides);
   constexpr int kMostRounds = 32;
   for (int round = 0;; ++round) {
-    const std::size_t before = crossings_;
-    std::vector<Cut> cuts = crossings_of_sides(job);
-    if (crossings_ == before) return std::move(sides_);
-    if (round != 0) crossings_ = before;  // caused by rounding
+    std::size_t crossings = 0;
+    auto cuts = crossings_of_sides(job, crossings);
+    if (!cuts) return std::move(sides_);
+    if (round == 0) crossings_ = crossings;  // later ones are caused by rounding
     if (round == kMostRounds) throw GeometryError("the sides of the outline cross too often at almost one point");
-    split(std::move(cuts), Cuts::beside_sides);
+    split(std::move(*cuts), Cuts::beside_sides);
     split(ends_on_sides(job), Cuts::on_sides);
   }
 }

@@ -25,6 +25,8 @@
 
 namespace mes {
 
+struct Chord;
+
 /// Position along a smooth stretch of curves: a side has an even number, and the vertex after it the next odd number.
 struct SmoothPlace {
   static constexpr std::uint32_t kNone = 0xffffffffU;
@@ -55,8 +57,9 @@ class OutlineSides {
   /// Curved pieces become chords that leave them by at most `tolerance` and turn by at most 1/16, with the circle that
   /// they are on, or else the one through the ends of the chord and the middle of the curve between them. A closed curve
   /// that goes around several times in the same way counts once, and so do closed curves that are the same in the same
-  /// direction.
-  void add(std::span<const PlaneCurve> curves, double tolerance);
+  /// direction. Chords that cross, or are equal, although their curves need not, are halved until it is clear. Throws
+  /// `Cancelled`.
+  void add(std::span<const PlaneCurve> curves, double tolerance, JobControl& job);
   /// Splits sides where others end on them or cross them, merges equal ones, and sorts them by their ends. Throws
   /// `Cancelled`, `GeometryError` if rounded crossings cause new crossings again and again, and `SizeRefusal` for more than
   /// 200,000 crossings.
@@ -66,12 +69,14 @@ class OutlineSides {
 
  private:
   void add(OutlineSide side);
-  void add(std::span<const Piece> pieces, bool is_closed, double tolerance);
+  void add(std::span<const Piece> pieces, std::span<const std::span<const Chord>> chords, bool is_closed,
+           double tolerance);
 
   using Cut = std::pair<std::uint32_t, Vec2>;  // a side, and a point that splits it
   enum class Cuts : std::uint8_t { on_sides, beside_sides };
   std::vector<Cut> ends_on_sides(JobControl& job) const;
-  std::vector<Cut> crossings_of_sides(JobControl& job);
+  /// Nothing if no two sides cross. Adds how often curves cross.
+  std::optional<std::vector<Cut>> crossings_of_sides(JobControl& job, std::size_t& crossings) const;
   void add_cuts_of_crossing(std::uint32_t i, std::uint32_t j, double tolerance, std::vector<Cut>& cuts) const;
   void split(std::vector<Cut> cuts, Cuts where);
   void merge();

@@ -294,3 +294,43 @@ TEST_CASE("a curved side that two shapes share has the same chords in both direc
     CHECK(faults.repeated == 0);
   }
 }
+
+TEST_CASE("circles that touch from inside, thin lenses and thin rings have their axis, however they are turned") {
+  const auto length_of_axis = [](const std::vector<PlaneCurve>& curves) {
+    const AxisBench bench(data_of_curves(curves));
+    double out = 0.0;
+    for (const OutlinePiece& piece : bench.axis().pieces()) out += distance(piece.from, piece.to);
+    return out;
+  };
+  const auto faults_of = [](const std::vector<PlaneCurve>& curves) {
+    JobControl job;
+    const OutlineFaults out = faults_of_outlines(curves, job);
+    return std::array{out.crossings, out.overlaps, out.repeated};
+  };
+  constexpr std::array<std::size_t, 3> kNone{};  // no crossings, overlaps and repeated sides
+  for (const double turned : {0.1, 0.3, 1.0, 2.2, 4.0}) {
+    CAPTURE(turned);
+    const Vec2 away{std::cos(turned), std::sin(turned)};
+    // The axis is the ellipse with the two centres as foci, which passes through the point of contact.
+    const std::vector<PlaneCurve> crescent{circle({}, 5.0), circle(2.0 * away, 3.0)};
+    const double a = 4.0;
+    const double b = std::sqrt(a * a - 1.0);
+    const double h = (a - b) * (a - b) / ((a + b) * (a + b));
+    const double around = kFlatAngle * (a + b) * (1.0 + h / 4.0 + h * h / 64.0 + h * h * h / 256.0);
+    CHECK(faults_of(crescent) == kNone);
+    CHECK(length_of_axis(crescent) == Approx(around).epsilon(1e-3));
+
+    const std::vector<PlaneCurve> ring{circle({}, 10.0), circle(1e-5 * away, 9.9999)};
+    CHECK(faults_of(ring) == kNone);
+    CHECK(length_of_axis(ring) == Approx(2.0 * kFlatAngle * 9.99995).epsilon(1e-6));
+
+    const double radius = 150'000.0;  // arcs of height 0.003
+    PlaneCurve lens(-30.0 * away);
+    for (const double end : {1.0, -1.0})
+      lens.arc_to(arc_between(lens.end(), 30.0 * end * away, {radius, radius}, 0.0, false, true).value(),
+                  30.0 * end * away);
+    lens.close();
+    CHECK(faults_of({lens}) == kNone);
+    CHECK(length_of_axis({lens}) == Approx(60.0).epsilon(1e-6));
+  }
+}

@@ -268,9 +268,9 @@ TEST_CASE("an outline that is there several times, or goes around several times,
   other.close();
   OutlineSides sides;
   OutlineSides sides_of_both;
-  sides.add(std::vector{circle}, 0.01);
-  sides_of_both.add(std::vector{circle, other}, 0.01);
   JobControl job;
+  sides.add(std::vector{circle}, 0.01, job);
+  sides_of_both.add(std::vector{circle, other}, 0.01, job);
   const std::vector<OutlineSide> wanted = sides.take(job);
   const std::vector<OutlineSide> both = sides_of_both.take(job);
   REQUIRE(both.size() == wanted.size());
