@@ -128,7 +128,7 @@ void LessonPanel::draw_chosen(float height) {
   ImGui::Separator();
   draw_buttons();
   const std::string typed = caption_;
-  const bool has_changed = ImGui::InputTextMultiline("##caption", &caption_, {-1.0F, height});
+  const bool has_changed = caption_field_.draw("##caption", caption_, {-1.0F, height});
   if (is_left_by_escape()) {
     caption_ = typed;
   } else if (has_changed) {

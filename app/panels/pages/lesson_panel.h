@@ -11,6 +11,7 @@
 #include "app/playing/lesson_editor.h"
 #include "app/playing/lesson_presenter.h"
 #include "app/ui/screen/gui.h"
+#include "app/ui/widgets/wrapped_field.h"
 
 namespace mes {
 
@@ -44,6 +45,7 @@ class LessonPanel {
   std::function<void(std::size_t)> go_to_;
   // The text being typed, and the step that it belongs to.
   std::string caption_;
+  WrappedField caption_field_;
   std::string title_;
   std::optional<std::size_t> caption_of_;
   Lesson shown_;

@@ -12,7 +12,6 @@
 #include "app/ui/widgets/paragraph.h"
 #include "app/ui/widgets/slider.h"
 #include "app/ui/widgets/widgets.h"
-#include "imgui_stdlib.h"
 #include "render/device/convert.h"
 
 namespace mes {
@@ -72,9 +71,9 @@ bool AnnotationCard::draw_words(const Gui& gui, Annotation& annotation, bool is_
   // A shape may need no text, and the next key may be meant for a tool.
   if (is_new && !shows_without_words(annotation.kind)) ImGui::SetKeyboardFocusHere();
   const std::string before = annotation.text;
-  const bool is_entered = ImGui::InputTextMultiline(
-      "##words", &annotation.text, {kAnnotationWidth * unit, 2.6F * ImGui::GetTextLineHeight()},
-      ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CtrlEnterForNewLine);
+  const bool is_entered =
+      words_.draw("##words", annotation.text, {kAnnotationWidth * unit, 2.6F * ImGui::GetTextLineHeight()},
+                  ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CtrlEnterForNewLine);
   const bool is_left = is_left_by_escape();
   if (is_left) annotation.text = before;
   if (annotation.text.size() > kMostAnnotationBytes) annotation.text.resize(kMostAnnotationBytes);

@@ -8,6 +8,7 @@
 
 #include "app/editing/tools/annotation_editor.h"
 #include "app/ui/screen/gui.h"
+#include "app/ui/widgets/wrapped_field.h"
 
 namespace mes {
 
@@ -25,6 +26,7 @@ class AnnotationCard {
   bool draw_words(const Gui& gui, Annotation& annotation, bool is_new);
   static void draw_look(const Gui& gui, Annotation& annotation);
 
+  WrappedField words_;
   std::uint64_t choice_number_ = 0;
   ImVec2 at_{};  ///< fixed position while an annotation is chosen
 };
