@@ -49,15 +49,18 @@ constexpr TheoremLight light_of(FindingLevel level) {
   return TheoremLight::none;
 }
 
-/// Light from the reports of a run with findings. Lack of memory and refused sizes say nothing about the result.
+/// Light from the reports of a run with findings. Lack of memory and refused sizes say nothing about the result, and
+/// where no structure judges there is nothing to doubt.
 inline TheoremLight light_of(std::span<const NodeReport> nodes) {
   TheoremLight light = TheoremLight::none;
   for (const NodeReport& node : nodes) {
     if (node.state == NodeState::failed && node.reason != kOutOfMemory && !node.is_refused) light = TheoremLight::red;
     if (node.state == NodeState::up_to_date && node.is_judging) light = std::max(light, TheoremLight::green);
   }
+  const bool is_judged = light != TheoremLight::none;
   for (const NodeReport& node : nodes)
-    for (const Finding& finding : node.findings) light = std::max(light, light_of(finding.level));
+    for (const Finding& finding : node.findings)
+      if (is_judged || finding.level == FindingLevel::wrong) light = std::max(light, light_of(finding.level));
   return light;
 }
 

@@ -65,7 +65,14 @@ class Measured {
     out[0].findings = standing_findings(standing);
     crust_.find(out[1].findings);
     for (NodeReport& node : out) node.state = NodeState::up_to_date;
-    if (light_of(out) == TheoremLight::yellow) return out;
+    // A doubt asks for more samples, whether or not there are inner balls.
+    const auto is_doubted = [](const NodeReport& node) {
+      return std::ranges::find(node.findings, FindingLevel::doubt, &Finding::level) != node.findings.end();
+    };
+    if (std::ranges::any_of(out, is_doubted)) {
+      out[0].is_judging = true;
+      return out;
+    }
     make(job, {&labels_, &vertices_, &balls_, &certificate_});
     for (const Structure* structure : std::initializer_list<const Structure*>{&labels_, &certificate_}) {
       NodeReport& node = out.emplace_back();

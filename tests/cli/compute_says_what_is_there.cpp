@@ -81,6 +81,18 @@ TEST_CASE("compute answers with the promised keys") {
   CHECK(disks["radius_sum"].get<double>() > 0.0);
 }
 
+TEST_CASE("samples without inner balls have nothing to prove, however few or however open their curve") {
+  const TemporaryFolder folder;
+  for (const char* samples :
+       {"POFF 0 0 0\n", "POFF 1 0 0\n1 2\n", "POFF 2 0 0\n0 0\n4 0\n", "POFF 3 0 0\n0 0\n1 0\n2 0\n"}) {
+    INFO(samples);
+    folder.write("few.poff", samples);
+    const OrderedJson out = json_of(run({"compute", (folder / "few.poff").string()}));
+    CHECK(out["diagnostics"]["theorem"].is_null());
+    CHECK(out["diagnostics"]["text"] == "there is nothing to prove");
+  }
+}
+
 TEST_CASE("balls of a WPOFF file are counted, and one of radius zero has a centre only") {
   const RunResult result = run({"compute", "tests/data/balls.wpoff"});
   INFO(result.err);

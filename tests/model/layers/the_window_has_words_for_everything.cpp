@@ -44,6 +44,9 @@ TEST_CASE("a note about sampling or drawing is listed and leaves the light as it
   CHECK(mood_of(FindingLevel::wrong) == VerdictWord::Mood::wrong);
   judge.findings.push_back({FindingLevel::doubt, "samples with an odd number of curve edges", 1, {}, {}});
   CHECK(light_of(std::vector{judge, sampled}) == TheoremLight::yellow);
+  // Without inner balls nothing is judged, and there is nothing to doubt.
+  judge.is_judging = false;
+  CHECK(light_of(std::vector{judge, sampled}) == TheoremLight::none);
   judge.findings.front().level = FindingLevel::wrong;
   CHECK(light_of(std::vector{sampled, judge}) == TheoremLight::red);
 }
