@@ -162,6 +162,28 @@ TEST_CASE("grips of sliders and rims of boxes are seen in every theme") {
   }
 }
 
+// Their track is what they lie on: a panel, a popup or a field of several lines.
+TEST_CASE("grips of scroll bars are seen in every theme, and stand out more while they are held") {
+  for (const auto& [name, theme] : all_looks()) {
+    std::vector<Ground> tracks{{"panel", channels_of(theme.panel)}, {"popup", channels_of(theme.raised)}};
+    add(tracks, "a field", theme.field);
+    ImGuiStyle style;
+    apply_theme(style, theme, 1.0F);
+    CHECK(style.Colors[ImGuiCol_ScrollbarBg].w == 0.0F);
+    double before = 0.0;
+    for (const auto& [grip, at] : {std::pair{"scroll bar", ImGuiCol_ScrollbarGrab},
+                                   std::pair{"scroll bar under the pointer", ImGuiCol_ScrollbarGrabHovered},
+                                   std::pair{"scroll bar that is held", ImGuiCol_ScrollbarGrabActive}}) {
+      const ImU32 color = ImGui::ColorConvertFloat4ToU32(style.Colors[at]);
+      CHECK(alpha_of(color) == 1.0);
+      expect(name, grip, color, tracks, kIcon);
+      const double now = contrast(channels_of(color), channels_of(theme.panel));
+      CHECK(now > before);
+      before = now;
+    }
+  }
+}
+
 TEST_CASE("hints on the empty canvas are legible on every canvas that is offered") {
   for (const Rgb canvas : {kWhiteCanvas, kLightGreyCanvas, kDarkCanvas, kBlackCanvas})
     CHECK(contrast(channels_of(to_imgui(mark_color(canvas))), channels_of(to_imgui(canvas))) >= kText);
