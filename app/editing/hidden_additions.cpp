@@ -6,6 +6,7 @@
 #include <string_view>
 #include <utility>
 
+#include "app/editing/editor.h"
 #include "app/layers/ball_families.h"
 
 namespace mes {
@@ -32,14 +33,26 @@ bool shows_one(const LayerStack& layers, std::span<const std::string_view> ids) 
   return !is_hidden;
 }
 
+constexpr std::array<std::string_view, 1> kSampleLayers{"points"};
+
 }  // namespace
+
+PickedThing seen_thing_at(const Editor& editor, const LayerStack& layers, Vec2 p, double radius) {
+  const Document& document = editor.document();
+  const PickedThing any = thing_at(document, editor.index(), p, radius);
+  const Selection& selection = editor.selection();
+  const bool is_selected = any.ball != kNoSlot ? selection.contains_ball(any.ball)
+                                               : any.sample != kNoSlot && selection.contains(any.sample);
+  if (is_selected) return any;
+  return thing_at(document, editor.index(), p, radius,
+                  {.samples = shows_one(layers, kSampleLayers), .balls = shows_one(layers, kOwnBallLayers)});
+}
 
 void HiddenAdditions::begin(const Document& document) {
   for (const AddedKind kind : kAddedKinds) of(kind) = {.last = count_of(kind, document)};
 }
 
 void HiddenAdditions::follow(const Document& document, const LayerStack& layers, bool shows_annotations) {
-  constexpr std::array<std::string_view, 1> kSampleLayers{"points"};
   const std::array<bool, kAddedKinds.size()> are_shown{shows_one(layers, kSampleLayers),
                                                        shows_one(layers, kOwnBallLayers), shows_annotations};
   for (const AddedKind kind : kAddedKinds) {

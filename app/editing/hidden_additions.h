@@ -1,17 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Counts elements that are added while nothing shows elements of their kind.
+// Elements while nothing shows their kind: they are counted when they are added, and clicks pass through them.
 #pragma once
 
 #include <array>
 
+#include "app/editing/places/ball_pick.h"
 #include "app/layers/layer_stack.h"
 #include "core/document/document.h"
 
 namespace mes {
 
+class Editor;
+
 /// The kinds of elements that a user adds to a document.
 enum class AddedKind : std::uint8_t { samples, balls, annotations };
 inline constexpr std::array kAddedKinds{AddedKind::samples, AddedKind::balls, AddedKind::annotations};
+
+/// The sample or ball that a click at `p` takes among those that are seen: they are selected, or a layer shows their
+/// kind.
+PickedThing seen_thing_at(const Editor& editor, const LayerStack& layers, Vec2 p, double radius);
 
 /// Counts the elements of each kind that were added since elements of that kind were last visible, or since the
 /// document was loaded, less those removed again; a count is zero once the user knows of them. Samples are visible in

@@ -22,8 +22,9 @@ BallPick nearest_ball(const Document& document, Vec2 p, double radius) {
   return best;
 }
 
-PickedThing thing_at(const Document& document, const SampleIndex& index, Vec2 p, double radius) {
-  const SampleSlot sample = index.nearest(p, radius);
+PickedThing thing_at(const Document& document, const SampleIndex& index, Vec2 p, double radius, PickedKinds kinds) {
+  const SampleSlot sample = kinds.samples ? index.nearest(p, radius) : SampleSlot(kNoSlot);
+  if (!kinds.balls) return {sample, kNoSlot};
   if (sample == kNoSlot) return {kNoSlot, nearest_ball(document, p, radius).slot};
   // A ball must be nearer than the sample: samples lie on circles more often than beside them.
   const double to_sample = distance(document.position(sample), p);

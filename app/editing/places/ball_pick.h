@@ -26,9 +26,14 @@ struct PickedThing {
   BallSlot ball;
   bool is_any() const { return sample != kNoSlot || ball != kNoSlot; }
 };
-/// The sample or ball that a click at `p` takes: the nearer one, and the sample if both are as near. `index` is that
-/// of the document's samples.
-PickedThing thing_at(const Document& document, const SampleIndex& index, Vec2 p, double radius);
+struct PickedKinds {
+  bool samples = true;
+  bool balls = true;
+};
+/// The sample or ball of these kinds that a click at `p` takes: the nearer one, and the sample if both are as near.
+/// `index` is that of the document's samples.
+PickedThing thing_at(const Document& document, const SampleIndex& index, Vec2 p, double radius,
+                     PickedKinds kinds = {});
 
 /// Rows of the balls with their centre in the closed box, increasing. O(balls).
 std::vector<BallSlot> balls_in_box(const Document& document, const Box2& box);

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <utility>
 
+#include "app/editing/hidden_additions.h"
 #include "app/editing/kept_highlight.h"
-#include "app/editing/places/ball_pick.h"
 #include "app/layers/clicked_layers.h"
 #include "app/panels/on_canvas/marks/pointer_marks.h"
 #include "app/picture/paper/canvas_look.h"
@@ -220,7 +220,7 @@ void DrawingBoard::open_menu() {
   target.at = {static_cast<float>(px.x / ratio), static_cast<float>(px.y / ratio)};
   if (shows_annotations()) target.annotation = annotation_at(annotations_, pointer.px, kAnnotationReach);
   const PickedThing thing =
-      thing_at(document, work_.editor().index(), pointer.world, kPickRadiusPx * pointer.units_per_px);
+      seen_thing_at(work_.editor(), work_.layers(), pointer.world, kPickRadiusPx * pointer.units_per_px);
   if (!target.annotation && thing.is_any()) {
     const bool is_ball = thing.ball != kNoSlot;
     if (!(is_ball ? selection.contains_ball(thing.ball) : selection.contains(thing.sample))) {

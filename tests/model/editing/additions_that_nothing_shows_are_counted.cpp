@@ -4,6 +4,7 @@
 
 #include "app/editing/editor.h"
 #include "app/editing/hidden_additions.h"
+#include "app/layers/ball_families.h"
 #include "tests/support/builtin_layers.h"
 
 using namespace mes;
@@ -92,4 +93,30 @@ TEST_CASE("balls and annotations that are added while they are hidden are counte
   CHECK(follow(AddedKind::annotations) == 0);
   editor.redo();
   CHECK(follow(AddedKind::annotations) == 1);
+}
+
+TEST_CASE("a click takes samples and balls that are seen, and hidden ones only while they are selected") {
+  LayerStack layers(layer_descriptors());
+  const LayerIndex points = layers.find("points");
+  Editor editor({});
+  REQUIRE(editor.load({.positions = {{0, 0}, {4, 0}}, .balls = {{{0.5, 0}, 0.25}}}));
+  const SampleSlot first{0};
+  const auto taken = [&](Vec2 p) { return seen_thing_at(editor, layers, p, 1.0); };
+  const auto show_balls = [&](bool are_shown) {
+    for (const std::string_view id : kOwnBallLayers) layers.set_visible(layers.find(id), are_shown);
+  };
+  layers.set_visible(points, true);
+  show_balls(true);
+  CHECK(taken({0.1, 0}).sample == first);
+  CHECK(taken({0.5, 0}).ball == BallSlot{0});
+  layers.set_visible(points, false);
+  CHECK(taken({0.1, 0}).ball == BallSlot{0});
+  CHECK_FALSE(taken({4, 0}).is_any());
+  show_balls(false);
+  CHECK_FALSE(taken({0.1, 0}).is_any());
+  editor.selection().add(first);
+  CHECK(taken({0.1, 0}).sample == first);
+  CHECK_FALSE(taken({4, 0}).is_any());
+  layers.set_visible(points, true);
+  CHECK(taken({4, 0}).sample == SampleSlot{1});
 }
