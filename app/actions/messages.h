@@ -8,6 +8,7 @@
 #include <deque>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace mes {
@@ -26,6 +27,7 @@ class Messages {
   };
 
   void remark(std::string text) {
+    begin_sentence(text);
     log(text, false);
     remark_ = std::move(text);
     is_refusal_ = false;
@@ -35,6 +37,7 @@ class Messages {
     is_refusal_ = true;
   }
   void problem(std::string text) {
+    begin_sentence(text);
     log(text, true);
     problem_ = std::move(text);
   }
@@ -80,14 +83,27 @@ class Messages {
   void clear_log() { entries_.clear(); }
 
  private:
+  // Writes the first letter large, unless the first word is a name: of a file, which has a point or ends at a colon, or
+  // of a parameter or a program.
+  static void begin_sentence(std::string& text) {
+    const auto is_small = [](char letter) { return letter >= 'a' && letter <= 'z'; };
+    const auto end = std::ranges::find_if_not(text, is_small);
+    const std::string_view word(text.begin(), end);
+    if (word.empty() || word == "ffmpeg" || (end != text.end() && *end != ' ' && *end != ',')) return;
+    const std::string_view head = std::string_view(text).substr(0, text.find(": "));
+    const bool is_file = head.size() < text.size() && head.contains('.') && !head.contains('/');
+    if (!is_file) text[0] = static_cast<char>(text[0] - 'a' + 'A');
+  }
   // Returns the first texts, one line each.
   std::string log_all(std::span<const std::string> texts, bool is_problem) {
     constexpr std::size_t kMostLines = 6;
     constexpr std::size_t kMostLogged = 100;
     std::string lines;
     for (std::size_t i = 0; i < std::min(texts.size(), kMostLogged); ++i) {
-      log(texts[i], is_problem);
-      if (i < kMostLines) lines += (i == 0 ? "" : "\n") + texts[i];
+      std::string text = texts[i];
+      begin_sentence(text);
+      log(text, is_problem);
+      if (i < kMostLines) lines += (i == 0 ? "" : "\n") + text;
     }
     if (texts.size() > kMostLines)
       lines += "\nand " + std::to_string(texts.size() - kMostLines) + " more, in View > Log";

@@ -16,8 +16,8 @@ class Refusal {
   explicit Refusal(Messages& messages) : messages_(messages) {}
 
   void say(const Error& error) {
-    said_ = error.message();
-    messages_.problem(said_);
+    messages_.problem(error.message());
+    said_ = messages_.problem();
   }
   /// Call it when something was done: removes the last refusal, which is stale. Problems of others stay.
   void forget() {

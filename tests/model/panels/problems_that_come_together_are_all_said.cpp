@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
 #include <catch2/catch.hpp>
 #include <span>
 #include <string>
@@ -11,15 +12,15 @@ using namespace mes;
 
 TEST_CASE("problems that come together are all in the log, and the first ones above the canvas") {
   Messages messages;
-  messages.problem("old");
+  messages.problem("Old");
   messages.problems({});
-  CHECK(messages.problem() == "old");
+  CHECK(messages.problem() == "Old");
   std::vector<std::string> texts;
-  for (int i = 0; i < 8; ++i) texts.push_back("kind " + std::to_string(i));
+  for (int i = 0; i < 8; ++i) texts.push_back("Kind " + std::to_string(i));
   messages.problems(std::span(texts).first(2));
-  CHECK(messages.problem() == "kind 0\nkind 1");
+  CHECK(messages.problem() == "Kind 0\nKind 1");
   messages.problems(texts);
-  CHECK(messages.problem() == "kind 0\nkind 1\nkind 2\nkind 3\nkind 4\nkind 5\nand 2 more, in View > Log");
+  CHECK(messages.problem() == "Kind 0\nKind 1\nKind 2\nKind 3\nKind 4\nKind 5\nand 2 more, in View > Log");
   REQUIRE(messages.entries().size() == 11);
   for (int i = 0; i < 8; ++i) {
     CHECK(messages.entries()[3 + static_cast<std::size_t>(i)].text == texts[static_cast<std::size_t>(i)]);
@@ -29,20 +30,20 @@ TEST_CASE("problems that come together are all in the log, and the first ones ab
 
 TEST_CASE("notices are not problems, and a repeated notice counts as a new one") {
   Messages messages;
-  messages.notice("two lines were left out");
+  messages.notice("Two lines were left out");
   CHECK(messages.problem().empty());
-  CHECK(messages.notice() == "two lines were left out");
+  CHECK(messages.notice() == "Two lines were left out");
   REQUIRE(messages.entries().size() == 1);
   CHECK_FALSE(messages.entries().front().is_problem);
   const auto number = messages.notice_number();
   messages.notices({});
   CHECK(messages.notice_number() == number);
-  messages.notice("two lines were left out");
+  messages.notice("Two lines were left out");
   CHECK(messages.notice_number() != number);
-  messages.problem("not written");
+  messages.problem("Not written");
   CHECK_FALSE(messages.notice().empty());
   messages.clear_notice();
-  CHECK(messages.problem() == "not written");
+  CHECK(messages.problem() == "Not written");
 }
 
 TEST_CASE("each remark and problem counts as said, also one that is said again") {
@@ -62,18 +63,39 @@ TEST_CASE("a refusal goes when the same part does something, and problems of oth
   Refusal fields(messages);
   Refusal clipboard(messages);
   fields.forget();
-  messages.problem("of another");
+  messages.problem("Of another");
   fields.forget();
-  CHECK(messages.problem() == "of another");
+  CHECK(messages.problem() == "Of another");
   fields.say({ErrorCode::bad_input, "no number"});
-  CHECK(messages.problem() == "no number");
+  CHECK(messages.problem() == "No number");
   clipboard.forget();
-  CHECK(messages.problem() == "no number");
+  CHECK(messages.problem() == "No number");
   fields.forget();
   CHECK(messages.problem().empty());
   fields.say({ErrorCode::bad_input, "no number"});
-  clipboard.say({ErrorCode::bad_input, "no text"});
+  clipboard.say({ErrorCode::bad_input, "No text"});
   fields.forget();
-  CHECK(messages.problem() == "no text");
+  CHECK(messages.problem() == "No text");
   CHECK(messages.entries().size() == 3);  // each stays in the log, and what is repeated is counted
+}
+
+TEST_CASE("messages begin with a large letter, unless they begin with a name") {
+  Messages messages;
+  const auto remarked = [&](const char* text) {
+    messages.remark(text);
+    return messages.remark();
+  };
+  CHECK(remarked("the settings could not be read") == "The settings could not be read");
+  CHECK(remarked("epsilon 3 is too large: at most 1") == "Epsilon 3 is too large: at most 1");
+  CHECK(remarked("cannot write /tmp/a.poff: no room") == "Cannot write /tmp/a.poff: no room");
+  CHECK(remarked("\u00e4 is no number") == "\u00e4 is no number");
+  CHECK(remarked("") == "");
+  for (const char* name : {"house.poff: no sample", "my house.poff:3:4: no number", "house: no sample",
+                           "/tmp/a.poff: no sample", "alpha-radius is too large", "ffmpeg cannot be run", "Saved"})
+    CHECK(remarked(name) == name);
+  messages.problem("there is no room");
+  CHECK(messages.problem() == "There is no room");
+  messages.notices(std::array<std::string, 2>{"one is left", "two are gone"});
+  CHECK(messages.notice() == "One is left\nTwo are gone");
+  CHECK(messages.entries().back().text == "Two are gone");
 }
