@@ -44,6 +44,8 @@ class SelectionCommands {
   };
   /// O(1) while neither the selection nor the document changes.
   const Numbers& numbers() const;
+  /// The map that the numbers are positions and lengths of.
+  const std::optional<MapPlane>& map() const { return editor_.document().map(); }
 
   Expected<void> move_middle_to(Vec2 place);
   Expected<void> move_by(Vec2 step);

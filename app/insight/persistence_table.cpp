@@ -10,6 +10,7 @@
 #include <memory>
 #include <utility>
 
+#include "app/layers/words/length_words.h"
 #include "core/io/systems/map_conversion.h"
 #include "core/io/text/text_numbers.h"
 #include "core/structures/alpha/alpha_filtration.h"
@@ -276,10 +277,12 @@ std::optional<std::size_t> row_near(const PersistenceTable& table, Vec2 place, d
   return out;
 }
 
-std::string in_words(const PersistenceRow& row) {
-  if (std::isinf(row.death)) return fmt::format("component, born at {:.4g}, stays", row.birth);
-  return fmt::format("{}, born at {:.4g}, {} at {:.4g}, persistence {:.4g}", row.is_hole ? "hole" : "component",
-                     row.birth, row.is_hole ? "filled" : "joined", row.death, row.persistence());
+std::string in_words(const PersistenceRow& row, const std::optional<MapPlane>& map) {
+  const std::string birth = length_words(row.birth, map);
+  if (std::isinf(row.death)) return fmt::format("component, born at {}, stays", birth);
+  return fmt::format("{}, born at {}, {} at {}, persistence {}", row.is_hole ? "hole" : "component", birth,
+                     row.is_hole ? "filled" : "joined", length_words(row.death, map),
+                     length_words(row.persistence(), map));
 }
 
 Expected<std::string> persistence_as_csv(const PersistenceTable& table) {

@@ -118,8 +118,8 @@ std::vector<std::array<Vec2, 2>> outline_of(const PersistenceTable& table, const
 /// else the longest hole whose last triangle contains the point.
 std::optional<std::size_t> row_near(const PersistenceTable& table, Vec2 place, double reach);
 
-/// "hole, born at 1.5, filled at 4, persistence 2.5".
-std::string in_words(const PersistenceRow& row);
+/// "hole, born at 1.5, filled at 4, persistence 2.5"; with the unit of a map.
+std::string in_words(const PersistenceRow& row, const std::optional<MapPlane>& map);
 
 /// A component has the dimension 0, a hole 1; death and persistence of what stays, and its edge, are empty.
 /// Positions are in the coordinate system of the map, radii in its unit. Error: as for `WrittenPlane`.

@@ -36,7 +36,7 @@ Expected<void> run_persistence(const Registry& registry, const PersistenceReques
   const std::string words =
       fmt::format("{}, {}{}", counted(table->rows.size() - table->closes.size(), "component"),
                   counted(table->closes.size(), "hole"),
-                  longest == table->rows.end() ? std::string() : "; the longest " + in_words(*longest));
+                  longest == table->rows.end() ? std::string() : "; the longest " + in_words(*longest, table->map));
   const auto csv = persistence_as_csv(*table);
   if (!csv) return std::unexpected(csv.error());
   auto done = write_output(request.output, *csv, interruption, {input->file.sources, request.force});

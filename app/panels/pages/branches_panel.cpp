@@ -6,8 +6,8 @@
 #include <array>
 #include <cmath>
 
+#include "app/layers/words/length_words.h"
 #include "app/panels/on_canvas/marks/shape_pen.h"
-#include "app/picture/paper/scale_drawing.h"
 #include "app/ui/screen/theme.h"
 #include "app/ui/widgets/paragraph.h"
 #include "app/ui/widgets/plot.h"
@@ -185,13 +185,14 @@ void BranchesPanel::draw_widths(float height, bool is_large) {
     line_ = static_cast<std::size_t>(number) - 1;
   }
   const std::vector<Station>& stations = table.stations[line_];
+  const std::optional<MapPlane>& map = uses_.editor.document().map();
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const ImVec2 size{std::max(40 * unit, ImGui::GetContentRegionAvail().x), height};
   hit_area("widths", size);
   const double length = stations.back().along > 0.0 ? stations.back().along : 1.0;
   const double widest = std::ranges::max(stations, {}, &Station::width).width;
-  const Plot plot(uses_.gui, {at, size}, {0.0, length, with_unit("station")},
-                  {.high = 1.1 * widest, .title = with_unit("width"), .above = ""}, is_large);
+  const Plot plot(uses_.gui, {at, size}, {0.0, length, with_unit("station", map)},
+                  {.high = 1.1 * widest, .title = with_unit("width", map), .above = ""}, is_large);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   plot.draw_frame(list);
   std::vector<ImVec2> line;
@@ -202,14 +203,10 @@ void BranchesPanel::draw_widths(float height, bool is_large) {
   const Station& here = stations[static_cast<std::size_t>(std::lround(std::clamp(station_, 0.0, 1.0) * last))];
   const float x = plot.x_of(here.along);
   list.AddLine({x, plot.top()}, {x, plot.y_of(0.0)}, to_imgui(palette::blue), 2 * unit);
-  draw_above(uses_.gui, plot, x, fmt::format("{:.4g} at {:.4g}", here.width, here.along));
+  draw_above(uses_.gui, plot, x,
+             fmt::format("{} at {}", length_words(here.width, map), length_words(here.along, map)));
   if (ImGui::IsItemHovered() || ImGui::IsItemActive()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
   if (uses_.latest.is_current()) draw_transect(here);
-}
-
-std::string BranchesPanel::with_unit(std::string_view title) const {
-  const std::string unit = unit_of_lengths(uses_.editor.document());
-  return unit.empty() ? std::string(title) : fmt::format("{} ({})", title, unit);
 }
 
 void BranchesPanel::draw_transect(const Station& at) const {
@@ -232,13 +229,14 @@ void BranchesPanel::draw_histogram(float height, bool is_large) {
   }
   if (histogram_.lengths.empty()) return;
 
+  const std::optional<MapPlane>& map = uses_.editor.document().map();
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const ImVec2 size{std::max(40 * unit, ImGui::GetContentRegionAvail().x), height};
   hit_area("histogram", size);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const double most = *std::ranges::max_element(histogram_.lengths);
   // Square roots keep short parts, such as spurious branches, visible beside long ones.
-  const Plot plot(uses_.gui, {at, size}, {0.0, histogram_.high, with_unit(shows_lambda ? "lambda" : "radius")},
+  const Plot plot(uses_.gui, {at, size}, {0.0, histogram_.high, with_unit(shows_lambda ? "lambda" : "radius", map)},
                   {.high = most,
                    .title = "length of the axis (scale of square roots)",
                    .is_root = true,
@@ -270,13 +268,15 @@ void BranchesPanel::draw_histogram(float height, bool is_large) {
     }
     const float x = plot.x_of(limit);
     list.AddLine({x, plot.top()}, {x, bottom}, Plot::kInk, 2 * unit);
-    draw_above(uses_.gui, plot, x, fmt::format("limit {:.4g}", limit));
+    draw_above(uses_.gui, plot, x, "limit " + length_words(limit, map));
     if (ImGui::IsItemHovered() || ImGui::IsItemActive()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
   }
   if (ImGui::IsItemHovered() && !ImGui::IsItemActive()) {
     const auto i = std::min(histogram_.lengths.size() - 1, static_cast<std::size_t>(plot.x_at(mouse) / bin));
-    ImGui::SetTooltip("%s %.4g to %.4g: length %.4g", shows_lambda ? "lambda" : "radius",
-                      bin * static_cast<double>(i), bin * static_cast<double>(i + 1), histogram_.lengths[i]);
+    const std::string words =
+        fmt::format("{} {:.4g} to {}: length {}", shows_lambda ? "lambda" : "radius", bin * static_cast<double>(i),
+                    length_words(bin * static_cast<double>(i + 1), map), length_words(histogram_.lengths[i], map));
+    ImGui::SetTooltip("%s", words.c_str());
   }
 }
 
@@ -314,7 +314,9 @@ void BranchesPanel::draw_table() {
     for (std::size_t i = 0; i < kColumns.size(); ++i) {
       ImGui::TableSetColumnIndex(static_cast<int>(i));
       ImGui::TableHeader(kColumns[i].title);
-      tooltip(uses_.gui, kColumns[i].explanation);
+      const bool is_length = kColumns[i].column >= BranchColumn::length && kColumns[i].column <= BranchColumn::lambda;
+      tooltip(uses_.gui, is_length ? with_unit(kColumns[i].explanation, uses_.editor.document().map())
+                                   : kColumns[i].explanation);
     }
     ImGuiTableSortSpecs* const specs = ImGui::TableGetSortSpecs();
     if (specs != nullptr && specs->SpecsDirty && specs->SpecsCount > 0) {

@@ -47,7 +47,6 @@ class BranchesPanel {
   void draw_widths(float height, bool is_large);
   void draw_transect(const Station& at) const;
   /// "width (mm)", or the title alone without a unit.
-  std::string with_unit(std::string_view title) const;
   void draw_table();
   void draw_row(std::size_t row);
   void draw_branch(std::size_t row, bool is_chosen) const;

@@ -7,6 +7,7 @@
 #include <ranges>
 #include <unordered_set>
 
+#include "app/layers/words/length_words.h"
 #include "app/panels/on_canvas/marks/shape_pen.h"
 #include "app/ui/screen/theme.h"
 #include "app/ui/widgets/paragraph.h"
@@ -17,7 +18,7 @@
 namespace mes {
 namespace {
 
-constexpr float kLeastDiagram = 120.0F;  // logical pixels
+constexpr float kLeastDiagram = 180.0F;  // logical pixels
 constexpr float kSmallDot = 2.5F;        // half the width of a dot
 constexpr float kLargeDot = 4.0F;
 constexpr float kReach = 6.0F;
@@ -51,6 +52,18 @@ void PersistencePanel::draw() {
 
 void PersistencePanel::draw_large() {
   draw_in(large_);
+}
+
+void PersistencePanel::step(std::ptrdiff_t pairs) {
+  if (uses_.latest.table() == nullptr || !uses_.latest.is_current()) return;
+  const std::vector<PersistenceRow>& rows = uses_.latest.table()->rows;
+  std::vector<std::size_t> shown;
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    if (rows[i].is_hole ? shows_holes_ : shows_components_) shown.push_back(i);
+  if (shown.empty()) return;
+  const auto chosen = uses_.latest.chosen();
+  const auto at = chosen ? std::ranges::find(shown, *chosen) : shown.end();
+  uses_.latest.choose(at == shown.end() ? shown.front() : shown[row_beside(at - shown.begin(), pairs, shown.size())]);
 }
 
 void PersistencePanel::draw_in(View& view) {
@@ -132,7 +145,9 @@ void PersistencePanel::draw_proposal() {
   }
   ImGui::EndDisabled();
   std::string words = "Set the radius to the middle of the widest gap, in which nothing is joined, closed or filled";
-  if (is_known) words += fmt::format(": from {:.4g} to {:.4g}", gap_->begin, gap_->end);
+  if (is_known)
+    words += fmt::format(": from {} to {}", length_words(gap_->begin, gap_of_->map),
+                         length_words(gap_->end, gap_of_->map));
   tooltip(uses_.gui, words);
 }
 
@@ -145,14 +160,16 @@ void PersistencePanel::draw_words() {
     for (const PersistenceRow& row : table.rows)
       if (row.is_alive(ranks)) ++(row.is_hole ? alive_.holes : alive_.components);
   }
-  quiet_paragraph(fmt::format("Radius {:.4g}: {}, {}{}", radius, counted(alive_.components, "component"),
-                              counted(alive_.holes, "hole"), uses_.latest.is_current() ? "" : "; computing"));
+  quiet_paragraph(fmt::format("Radius {}: {}, {}{}", length_words(radius, table.map),
+                              counted(alive_.components, "component"), counted(alive_.holes, "hole"),
+                              uses_.latest.is_current() ? "" : "; computing"));
 }
 
 // Drawn below the diagram, which would otherwise move under the pointer when the text takes another line.
 void PersistencePanel::draw_chosen() {
   const auto chosen = uses_.latest.chosen();
-  paragraph(chosen ? in_words(uses_.latest.table()->rows[*chosen]) : "Click a point to read its birth and death");
+  paragraph(chosen ? in_words(uses_.latest.table()->rows[*chosen], uses_.latest.table()->map)
+                   : "Click a point to read its birth and death; the keys Up and Down go to the next ones");
 }
 
 void PersistencePanel::place_dots(View& view, const Scale& scale) {
@@ -211,8 +228,9 @@ void PersistencePanel::draw_diagram(View& view) {
   // Pairs that never die are on a line of their own above the others.
   const double begin = 1.05 * table.least_birth;
   const double end = table.largest_death > 0.0 ? 1.05 * table.largest_death : (begin < 0.0 ? -begin : 1.0);
-  const Plot plot(uses_.gui, {at, size}, {begin, end, "birth"},
-                  {.low = begin, .high = end, .title = "death", .above = infinity_word()}, view.is_large);
+  const Plot plot(uses_.gui, {at, size}, {begin, end, with_unit("birth", table.map)},
+                  {.low = begin, .high = end, .title = with_unit("death", table.map), .above = infinity_word()},
+                  view.is_large);
   plot.draw_frame(list);
   const ImVec2 low = plot.inside().at;
   const ImVec2 high(low.x + plot.inside().size.x, low.y + plot.inside().size.y);
@@ -271,7 +289,7 @@ void PersistencePanel::draw_diagram(View& view) {
   if (is_hovered && !pointed_at_) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
   if (is_hovered && !is_active) {
     if (pointed_at_)
-      ImGui::SetTooltip("%s", in_words(table.rows[*pointed_at_]).c_str());
+      ImGui::SetTooltip("%s", in_words(table.rows[*pointed_at_], table.map).c_str());
     else
       tooltip(uses_.gui,
               std::string("Birth to the right, death upwards; drag to set the radius of the alpha complex") +

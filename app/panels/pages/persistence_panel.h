@@ -37,6 +37,8 @@ class PersistencePanel {
   void draw();
   /// Draws the same with the diagram as on paper, into a window of its own.
   void draw_large();
+  /// Chooses the pair so many after the chosen one among those shown, the longest first.
+  void step(std::ptrdiff_t pairs);
 
  private:
   struct View;

@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "app/layers/words/length_words.h"
 #include "app/ui/widgets/number_field.h"
 #include "app/ui/widgets/paragraph.h"
 #include "app/ui/widgets/widgets.h"
@@ -86,7 +87,8 @@ void SelectionPanel::draw() {
   }
   // At a large scale the content is longer than the panel and scrolls below its header.
   if (ImGui::BeginChild("##selection")) {
-    ImGui::TextUnformatted(counted(numbers.samples, numbers.balls).c_str());
+    ImGui::TextUnformatted(with_unit(counted(numbers.samples, numbers.balls), commands_.map()).c_str());
+    tooltip(gui_, commands_.map() ? "Positions and lengths are in this unit" : "");
     draw_place();
     draw_motion();
     if (numbers.samples + numbers.balls > 1) draw_arrangement();

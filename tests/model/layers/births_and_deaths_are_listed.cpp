@@ -8,6 +8,7 @@
 
 #include "app/insight/latest_persistence.h"
 #include "app/insight/persistence_table.h"
+#include "app/layers/words/length_words.h"
 #include "core/base/rng.h"
 #include "core/builtins/builtins.h"
 
@@ -155,7 +156,7 @@ TEST_CASE("few samples have few classes, and words and CSV say which") {
         "dimension,birth,death,persistence,x,y,edge_x1,edge_y1,edge_x2,edge_y2\n");
   const PersistenceTable one = table_of_samples({.positions = {{1, 2}, {1, 2}}});
   REQUIRE(one.rows.size() == 1);
-  CHECK(in_words(one.rows[0]) == "component, born at 0, stays");
+  CHECK(in_words(one.rows[0], std::nullopt) == "component, born at 0, stays");
   const PersistenceTable right = table_of_samples({.positions = {{0, 0}, {3, 0}, {0, 4}}});
   // The hypotenuse comes with the triangle, so no hole lives.
   CHECK(persistence_as_csv(right).value() ==
@@ -163,7 +164,7 @@ TEST_CASE("few samples have few classes, and words and CSV say which") {
         "0,0,,,0,0,,,,\n"
         "0,0,2,2,0,4,0,0,0,4\n"
         "0,0,1.5,1.5,3,0,0,0,3,0\n");
-  CHECK(in_words(right.rows[1]) == "component, born at 0, joined at 2, persistence 2");
+  CHECK(in_words(right.rows[1], std::nullopt) == "component, born at 0, joined at 2, persistence 2");
 }
 
 TEST_CASE("a class stays chosen while it is there, and nothing is chosen by an outdated table") {
@@ -182,4 +183,18 @@ TEST_CASE("a class stays chosen while it is there, and nothing is chosen by an o
   CHECK(latest.table()->rows[*latest.chosen()].place == chosen.place);
   CHECK(latest.pick({50.0, 50.0}, 0.1));
   CHECK_FALSE(latest.chosen().has_value());
+}
+
+TEST_CASE("lengths are said with the unit of a map, and without one where there is no map") {
+  PersistenceRow row;
+  row.is_hole = true;
+  row.birth = 1.5;
+  row.death = 4.0;
+  CHECK(in_words(row, std::nullopt) == "hole, born at 1.5, filled at 4, persistence 2.5");
+  CHECK(with_unit("radius", std::nullopt) == "radius");
+  const MapPlane map;
+  const std::string unit(map.plane_unit());
+  REQUIRE_FALSE(unit.empty());
+  CHECK(in_words(row, map) == "hole, born at 1.5 " + unit + ", filled at 4 " + unit + ", persistence 2.5 " + unit);
+  CHECK(with_unit("radius", map) == "radius (" + unit + ")");
 }
