@@ -225,6 +225,8 @@ Settings from_json(const json& object) {
   out.panels = panels_from_json(object, out.panels);
   out.column_width = number_in(object, "column_width", 200.0, 1200.0, out.column_width);
   out.lower_panel_share = number_in(object, "lower_panel_share", 0.1, 0.9, out.lower_panel_share);
+  out.diagram = {place_in(object, "diagram_at"), number_in(object, "diagram_width", 0.0, 16384.0, 0.0),
+                 number_in(object, "diagram_height", 0.0, 16384.0, 0.0)};
   read_names(object, "favorite_layers", kMostListedLayers, out.favorite_layers);
   read_names(object, "unfolded_layers", kMostListedLayers, out.unfolded_layers);
   out.show_legend = flag_in(object, "show_legend", out.show_legend);
@@ -321,6 +323,9 @@ json to_json(const Settings& settings) {
           {"pinned_panel", settings.panels.pinned() ? id_of(*settings.panels.pinned()) : ""},
           {"column_width", settings.column_width},
           {"lower_panel_share", settings.lower_panel_share},
+          {"diagram_at", to_json(settings.diagram.at)},
+          {"diagram_width", settings.diagram.width},
+          {"diagram_height", settings.diagram.height},
           {"favorite_layers", settings.favorite_layers},
           {"unfolded_layers", settings.unfolded_layers},
           {"show_legend", settings.show_legend},

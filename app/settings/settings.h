@@ -24,6 +24,14 @@ enum class Theme : std::uint8_t { light, dark };
 inline constexpr double kUsualColumnWidth = 300.0;
 inline constexpr double kUsualLowerShare = 0.5;
 
+/// Where the user has put the large window of a diagram, on the canvas.
+struct DiagramPlace {
+  std::optional<PaperPlace> at{};  ///< nothing: where it hides the least
+  double width = 0.0;              ///< logical pixels, [0, 16384]
+  double height = 0.0;
+  friend bool operator==(const DiagramPlace&, const DiagramPlace&) = default;
+};
+
 struct Settings {
   std::vector<std::string> recent_files;        ///< absolute paths, newest first, at most kRecentFiles
   std::vector<std::string> recent_experiments;  ///< likewise, at most kRecentFiles
@@ -39,6 +47,7 @@ struct Settings {
   PanelChoice panels;
   double column_width = kUsualColumnWidth;      ///< width of the panels on the right, logical pixels, [200, 1200]
   double lower_panel_share = kUsualLowerShare;  ///< share of their height for the lower of two, [0.1, 0.9]
+  DiagramPlace diagram;                         ///< of the large window of a diagram
   std::vector<std::string> favorite_layers;     ///< ids
   std::vector<std::string> unfolded_layers{"Favourites", "Shown", "Delaunay & Voronoi"};  ///< sections of their list
   bool show_legend = true;  ///< legend of the colour maps in use

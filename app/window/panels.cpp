@@ -116,7 +116,8 @@ std::vector<SidePage> Panels::pages() {
       {branches, "Branches", Icon::branches, ActionId::toggle_branches, true, [this] { branches_panel_.draw(); },
        [this] { branches_panel_.draw_large(); }, [this](std::ptrdiff_t rows) { branches_panel_.step(rows); }},
       {persistence, "Persistence", Icon::persistence, ActionId::toggle_persistence, false,
-       [this] { persistence_panel_.draw(); }, [this] { persistence_panel_.draw_large(); }},
+       [this] { persistence_panel_.draw(); }, [this] { persistence_panel_.draw_large(); },
+       [this](std::ptrdiff_t rows) { persistence_panel_.step(rows); }},
       {statistics, "Statistics", Icon::statistics, ActionId::toggle_statistics, false,
        [this] { statistics_panel_.draw(); }},
       {parameters, "Parameters", Icon::parameters, ActionId::toggle_parameters, true,
@@ -406,7 +407,8 @@ Panels::Room Panels::draw() {
   if (uses_.demo.draw(gui, {middle.x, screen.y - sides.bottom}, width)) uses_.actions.run(ActionId::demo);
   if (are_shown_)
     column_.draw_large(
-        {{around.left, around.top}, {screen.x - around.left - around.right, screen.y - around.top - around.bottom}});
+        {{around.left, around.top}, {screen.x - around.left - around.right, screen.y - around.top - around.bottom}},
+        [this](const Box2& box) { return hidden_by(box); });
   const NoteRoom room = note_room(sides);
   presenter_.draw(gui, presenter_.shows_slide() ? slide() : std::string(), room, ImGui::GetTime());
   draw_messages(sides, width, room);

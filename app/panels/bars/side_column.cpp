@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "app/ui/widgets/button_columns.h"
 
@@ -18,6 +19,10 @@ constexpr double kLeastWidth = 240.0;
 constexpr double kMostWidth = 1200.0;
 constexpr float kLeastRest = 160.0F;  // toolbar and drawing beside the panels
 constexpr float kLargeSide = 640.0F;
+constexpr float kLargeShare = 0.6F;  // of the canvas, at most
+constexpr float kLargeEdge = 8.0F;
+constexpr float kLeastLargeWidth = 240.0F;
+constexpr float kLeastLargeHeight = 200.0F;
 constexpr float kUsualWidth = 300.0F;
 // Maximal share of the window for the panels, and where they would be narrower than usual.
 constexpr float kMostOfScreen = 0.45F;
@@ -146,22 +151,75 @@ void SideColumn::draw_splitters(const PanelArea& column, float upper) {
   if (line.is_reset) settings_.lower_panel_share = kUsualLowerShare;
 }
 
-void SideColumn::draw_large(const PanelArea& room) {
-  if (!settings_.panels.large()) return;
-  const SidePage& page = page_of(*settings_.panels.large());
+// Where it was put last, or else in the corner of the canvas where it hides the least.
+PanelArea SideColumn::large_area(const PanelArea& room, const Hides& hides) const {
   const float unit = gui_.unit();
-  const float edge = 24 * unit;
-  const ImVec2 size(std::max(1.0F, std::min(kLargeSide * unit, room.size.x - edge)),
-                    std::max(1.0F, std::min(kLargeSide * unit, room.size.y - edge)));
-  ImGui::SetNextWindowPos({room.at.x + 0.5F * (room.size.x - size.x), room.at.y + 0.5F * (room.size.y - size.y)},
-                          ImGuiCond_FirstUseEver);
-  ImGui::SetNextWindowSize(size, ImGuiCond_FirstUseEver);
-  ImGui::SetNextWindowSizeConstraints({240 * unit, 200 * unit}, ImGui::GetIO().DisplaySize);
+  const ImVec2 most(room.size.x / unit - 2 * kLargeEdge, room.size.y / unit - 2 * kLargeEdge);
+  const auto length = [](double wanted, float least, float limit) {
+    return std::max(1.0F, std::min(std::max(static_cast<float>(wanted), least), limit));
+  };
+  const bool is_known = settings_.diagram.at.has_value();
+  const ImVec2 size(length(is_known ? settings_.diagram.width : std::min(kLargeSide, kLargeShare * most.x),
+                           kLeastLargeWidth, most.x),
+                    length(is_known ? settings_.diagram.height : std::min(kLargeSide, kLargeShare * most.y),
+                           kLeastLargeHeight, most.y));
+  const auto in_units = [unit](float pixels) { return static_cast<double>(pixels / unit); };
+  const Vec2 extent{size.x, size.y};
+  const Vec2 low{in_units(room.at.x), in_units(room.at.y)};
+  const Box2 area{low, low + Vec2{in_units(room.size.x), in_units(room.size.y)}};
+  const auto on_screen = [unit](Vec2 p) {
+    return Vec2{p.x * static_cast<double>(unit), p.y * static_cast<double>(unit)};
+  };
+  std::optional<Vec2> at;
+  if (is_known) {
+    at = placed(*settings_.diagram.at, extent, area);
+  } else {
+    std::size_t least = 0;
+    for (const PaperCorner corner :
+         {PaperCorner::bottom_right, PaperCorner::top_right, PaperCorner::bottom_left, PaperCorner::top_left}) {
+      const Vec2 here = placed({.corner = corner}, extent, area);
+      const std::size_t hidden = hides({on_screen(here), on_screen(here + extent)});
+      if (at && hidden >= least) continue;
+      at = here;
+      least = hidden;
+    }
+  }
+  const Vec2 corner = on_screen(*at);
+  return {{std::floor(static_cast<float>(corner.x)), std::floor(static_cast<float>(corner.y))},
+          {std::floor(size.x * unit), std::floor(size.y * unit)}};
+}
+
+void SideColumn::draw_large(const PanelArea& room, const Hides& hides) {
+  const std::optional<PanelPage> before = std::exchange(large_, settings_.panels.large());
+  if (!large_) return;
+  const SidePage& page = page_of(*large_);
+  const float unit = gui_.unit();
+  if (before != large_) {
+    const PanelArea area = large_area(room, hides);
+    ImGui::SetNextWindowPos(area.at);
+    ImGui::SetNextWindowSize(area.size);
+  }
+  ImGui::SetNextWindowSizeConstraints({kLeastLargeWidth * unit, kLeastLargeHeight * unit},
+                                      ImGui::GetIO().DisplaySize);
   bool is_open = true;
   const std::string name = descriptor_of(page.toggle).name + "##large";
   if (ImGui::Begin(name.c_str(), &is_open, ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings))
     page.large();
+  if (ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows)) pointed_at_ = page.page;
+  const PanelArea now{ImGui::GetWindowPos(), ImGui::GetWindowSize()};
   ImGui::End();
+  const bool has_moved = now.at.x != large_at_.at.x || now.at.y != large_at_.at.y || now.size.x != large_at_.size.x ||
+                         now.size.y != large_at_.size.y;
+  large_at_ = now;
+  // A window that becomes smaller moves it, too.
+  if (before == large_ && has_moved && ImGui::IsMouseDragging(ImGuiMouseButton_Left, 0.0F)) {
+    const auto in_units = [unit](ImVec2 p) {
+      return Vec2{static_cast<double>(p.x / unit), static_cast<double>(p.y / unit)};
+    };
+    const Vec2 low = in_units(room.at);
+    const Vec2 size = in_units(now.size);
+    settings_.diagram = {place_of(in_units(now.at), size, {low, low + in_units(room.size)}), size.x, size.y};
+  }
   if (!is_open) settings_.panels.set_large(std::nullopt);
 }
 

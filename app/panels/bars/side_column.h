@@ -41,13 +41,16 @@ class SideColumn {
   float draw(float top, float height);
   /// The width of the panels alone, when they were last drawn.
   float panels_width() const { return panels_width_; }
-  /// Moves the choice in the list of the panel under the pointer. Returns false if there is none.
+  /// Moves the choice in the list of the panel under the pointer, or in that of its large diagram. Returns false if there is none.
   bool step(std::ptrdiff_t rows);
+  /// Returns how much of the drawing a box on the screen would hide.
+  using Hides = std::function<std::size_t(const Box2&)>;
   /// Draws the window over the canvas if there is one; `room` is the area of the canvas.
-  void draw_large(const PanelArea& room);
+  void draw_large(const PanelArea& room, const Hides& hides);
 
  private:
   const SidePage& page_of(PanelPage page) const;
+  PanelArea large_area(const PanelArea& room, const Hides& hides) const;
   float draw_rail(float top, float height);
   void draw_panel(const SidePage& page, const PanelArea& area);
   void draw_title(const SidePage& page);
@@ -59,6 +62,8 @@ class SideColumn {
   std::vector<SidePage> pages_;
   float panels_width_ = 0.0F;
   std::optional<PanelPage> pointed_at_;
+  std::optional<PanelPage> large_;  // the large window that was drawn last, and where
+  PanelArea large_at_{};
 };
 
 }  // namespace mes

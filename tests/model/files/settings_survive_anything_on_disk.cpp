@@ -43,6 +43,7 @@ TEST_CASE("what is saved is loaded") {
   settings.favorite_layers = {"voronoi", "of-an-experiment"};
   settings.unfolded_layers = {};
   settings.lower_panel_share = 0.25;
+  settings.diagram = {PaperPlace{PaperCorner::top_left, {3.0, 4.0}}, 500.0, 320.5};
   settings.legend_at = PaperPlace{PaperCorner::top_left, {12.5, 3.0}};
   settings.marks.bar_at = PaperPlace{PaperCorner::top_right};
   settings.theme = Theme::dark;
@@ -72,6 +73,7 @@ TEST_CASE("what is saved is loaded") {
   CHECK(loaded.settings.favorite_layers == settings.favorite_layers);
   CHECK(loaded.settings.unfolded_layers.empty());
   CHECK(loaded.settings.lower_panel_share == 0.25);
+  CHECK(loaded.settings.diagram == settings.diagram);
   CHECK(loaded.settings.theme == Theme::dark);
   CHECK(loaded.settings.for_projector);
   CHECK(loaded.settings.keep_degrees);

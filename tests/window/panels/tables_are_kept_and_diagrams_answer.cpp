@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Pages of numbers, by hand: what they ask, say and keep.
+#include <fmt/core.h>
 #include <array>
 #include <catch2/catch.hpp>
 #include <cstdlib>
@@ -264,4 +265,61 @@ TEST_CASE("a click on a sample chooses its component, and the diagram stays wher
   CHECK(after.changes({960, 140, 990, 400}, before) > 20);
   CHECK(after.changes({940, 425, 1238, 470}, before) > 100);
   CHECK(after.changes({1010, 190, 1210, 360}, before) == 0);
+}
+
+TEST_CASE("arrow keys go from pair to pair of the persistence diagram, the longest first") {
+  const Page page("shift+g");
+  page.window.press("ctrl+a");
+  page.screen().click({1043, 650});
+  const Screenshot none = page.screen().settled();
+  page.window.press("Down");
+  REQUIRE(eventually([&] { return page.screen().settled().changes(kCanvas, none) > 20; }));
+  const Screenshot first = page.screen().settled();
+  page.window.press("Down");
+  REQUIRE(eventually([&] { return page.screen().settled().changes(kCanvas, first) > 20; }));
+  page.window.press("Up");
+  CHECK(eventually([&] { return page.screen().settled().changes(kCanvas, first) == 0; }));
+  // There is none before the first.
+  page.window.press("Up");
+  CHECK(page.screen().settled().changes(kCanvas, first) == 0);
+  CHECK(page.window.title().starts_with("samples.poff"));
+}
+
+TEST_CASE("a large diagram opens where it hides the least, and comes back to where it was put") {
+  // The outline of the letter L leaves the upper right corner free.
+  std::string samples = "POFF 144 0 0\n";
+  const auto go = [&samples](std::array<double, 2> from, std::array<double, 2> to) {
+    constexpr int kSteps = 24;
+    for (int i = 0; i < kSteps; ++i)
+      samples +=
+          fmt::format("{} {}\n", from[0] + (to[0] - from[0]) * i / kSteps, from[1] + (to[1] - from[1]) * i / kSteps);
+  };
+  go({0, 0}, {8, 0});
+  go({8, 0}, {8, 0.5});
+  go({8, 0.5}, {0.5, 0.5});
+  go({0.5, 0.5}, {0.5, 6});
+  go({0.5, 6}, {0, 6});
+  go({0, 6}, {0, 0});
+  const Page page("shift+g", samples);
+  constexpr std::array<int, 2> kLarge{1165, 43};
+  constexpr std::array<int, 2> kInTitle{700, 45};  // of the window in the upper right corner of the canvas
+  const Screenshot before = page.at_rest();
+  const auto window_of = [&] {
+    page.screen().click(kLarge);
+    return page.at_rest().box_of_changes(kCanvas, before);
+  };
+  const PixelBox first = window_of();
+  REQUIRE(first.right - first.left > 300);
+  CHECK(first.left > 350);
+  CHECK(first.bottom < 560);
+  page.screen().drag(kInTitle, {kInTitle[0] - 100, kInTitle[1] + 150}, 8);
+  page.screen().xdotool("mouseup 1");
+  const PixelBox moved = page.at_rest().box_of_changes(kCanvas, before);
+  CHECK(std::abs(moved.left - (first.left - 100)) < 4);
+  page.window.press("Escape");
+  REQUIRE(eventually([&] { return page.at_rest().changes(kCanvas, before) == 0; }));
+  const PixelBox again = window_of();
+  CHECK(again.left == moved.left);
+  CHECK(again.top == moved.top);
+  CHECK(again.right == moved.right);
 }
