@@ -41,7 +41,8 @@ class SideColumn {
   float draw(float top, float height);
   /// The width of the panels alone, when they were last drawn.
   float panels_width() const { return panels_width_; }
-  /// Moves the choice in the list of the panel under the pointer, or in that of its large diagram. Returns false if there is none.
+  /// Moves the choice in the list of the panel under the pointer, or in that of its large diagram. Returns false if
+  /// there is none.
   bool step(std::ptrdiff_t rows);
   /// Returns how much of the drawing a box on the screen would hide.
   using Hides = std::function<std::size_t(const Box2&)>;

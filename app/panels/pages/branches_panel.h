@@ -46,7 +46,6 @@ class BranchesPanel {
   void draw_histogram(float height, bool is_large);
   void draw_widths(float height, bool is_large);
   void draw_transect(const Station& at) const;
-  /// "width (mm)", or the title alone without a unit.
   void draw_table();
   void draw_row(std::size_t row);
   void draw_branch(std::size_t row, bool is_chosen) const;
