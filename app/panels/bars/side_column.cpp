@@ -19,7 +19,8 @@ constexpr double kLeastWidth = 240.0;
 constexpr double kMostWidth = 1200.0;
 constexpr float kLeastRest = 160.0F;  // toolbar and drawing beside the panels
 constexpr float kLargeSide = 640.0F;
-constexpr float kLargeShare = 0.6F;  // of the canvas, at most
+constexpr float kLargeShareOfWidth = 0.6F;  // of the canvas, at most
+constexpr float kLargeShareOfHeight = 0.7F;
 constexpr float kLargeEdge = 8.0F;
 constexpr float kLeastLargeWidth = 240.0F;
 constexpr float kLeastLargeHeight = 200.0F;
@@ -159,9 +160,9 @@ PanelArea SideColumn::large_area(const PanelArea& room, const Hides& hides) cons
     return std::max(1.0F, std::min(std::max(static_cast<float>(wanted), least), limit));
   };
   const bool is_known = settings_.diagram.at.has_value();
-  const ImVec2 size(length(is_known ? settings_.diagram.width : std::min(kLargeSide, kLargeShare * most.x),
+  const ImVec2 size(length(is_known ? settings_.diagram.width : std::min(kLargeSide, kLargeShareOfWidth * most.x),
                            kLeastLargeWidth, most.x),
-                    length(is_known ? settings_.diagram.height : std::min(kLargeSide, kLargeShare * most.y),
+                    length(is_known ? settings_.diagram.height : std::min(kLargeSide, kLargeShareOfHeight * most.y),
                            kLeastLargeHeight, most.y));
   const auto in_units = [unit](float pixels) { return static_cast<double>(pixels / unit); };
   const Vec2 extent{size.x, size.y};

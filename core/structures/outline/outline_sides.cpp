@@ -287,7 +287,7 @@ class CurveChords {
   }
 
   /// Of the next piece.
-  std::span<const Chord> next() {
+  std::span<const OutlineChord> next() {
     const std::size_t begin = next_ == 0 ? 0 : ends_[next_ - 1];
     const std::size_t end = ends_[next_++];
     return std::span(chords_).subspan(begin, end - begin);
@@ -311,7 +311,8 @@ class CurveChords {
   /// Halves chords that cross or are equal where their curves need not, and those near the ends of others. Returns whether
   /// it found some.
   bool refine(JobControl& job) {
-    if (std::ranges::none_of(chords_, [](const Chord& chord) { return chord.center.has_value(); })) return false;
+    if (std::ranges::none_of(chords_, [](const OutlineChord& chord) { return chord.center.has_value(); }))
+      return false;
     const std::vector<OutlineSide> all = sides();
     const double least = least_height(all);
     std::vector<bool> is_halved(all.size(), false);
@@ -329,7 +330,7 @@ class CurveChords {
       return true;
     });
     if (std::ranges::find(is_halved, true) == is_halved.end()) return false;
-    std::vector<Chord> finer;
+    std::vector<OutlineChord> finer;
     std::size_t piece = 0;
     for (std::size_t i = 0; i < chords_.size(); ++i) {
       for (; ends_[piece] == i; ++piece) ends_[piece] = finer.size();
@@ -341,7 +342,7 @@ class CurveChords {
     return true;
   }
 
-  std::vector<Chord> chords_;
+  std::vector<OutlineChord> chords_;
   std::vector<Vec2> starts_;       // of each piece
   std::vector<std::size_t> ends_;  // number of chords before the end of each piece
   std::size_t next_ = 0;
@@ -393,7 +394,7 @@ OutlineFaults faults_of_outlines(std::span<const PlaneCurve> curves, JobControl&
     };
     for (const Piece& piece : pieces) {
       Vec2 at = piece.from();
-      for (const Chord& chord : chords.next()) add(std::exchange(at, chord.to), chord.to, chord.center);
+      for (const OutlineChord& chord : chords.next()) add(std::exchange(at, chord.to), chord.to, chord.center);
     }
     if (!curve.is_closed()) return;
     std::ranges::sort(own, by_ends);
@@ -441,14 +442,14 @@ void OutlineSides::add(Vec2 from, Vec2 to, bool is_of_closed_contour) {
 void OutlineSides::add(std::span<const PlaneCurve> curves, double tolerance, JobControl& job) {
   CurveChords chords(curves, tolerance, job);
   for_each_outline(curves, [&](const PlaneCurve& curve, std::span<const Piece> pieces) {
-    std::vector<std::span<const Chord>> own;
+    std::vector<std::span<const OutlineChord>> own;
     for (std::size_t i = 0; i < pieces.size(); ++i) own.push_back(chords.next());
     add(pieces, own, curve.is_closed(), tolerance);
   });
 }
 
-void OutlineSides::add(std::span<const Piece> pieces, std::span<const std::span<const Chord>> chords, bool is_closed,
-                       double tolerance) {
+void OutlineSides::add(std::span<const Piece> pieces, std::span<const std::span<const OutlineChord>> chords,
+                       bool is_closed, double tolerance) {
   const std::size_t count = pieces.size();
   // In drawings with few decimals a short line closes the gap between two ends. The curve goes on smoothly across it.
   const auto is_gap = [&](std::size_t i) {
@@ -474,7 +475,7 @@ void OutlineSides::add(std::span<const Piece> pieces, std::span<const std::span<
   for (std::size_t k = 0; k < count; ++k) {
     const std::size_t i = (first + k) % count;
     Vec2 at = pieces[i].from();
-    for (const Chord& chord : chords[i]) {
+    for (const OutlineChord& chord : chords[i]) {
       add({at, chord.to, is_closed, place, chord.center, chord.is_arc});
       if (at != chord.to) place.number += 2;
       at = chord.to;

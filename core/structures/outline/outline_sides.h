@@ -25,7 +25,7 @@
 
 namespace mes {
 
-struct Chord;
+struct OutlineChord;
 
 /// Position along a smooth stretch of curves: a side has an even number, and the vertex after it the next odd number.
 struct SmoothPlace {
@@ -69,7 +69,7 @@ class OutlineSides {
 
  private:
   void add(OutlineSide side);
-  void add(std::span<const Piece> pieces, std::span<const std::span<const Chord>> chords, bool is_closed,
+  void add(std::span<const Piece> pieces, std::span<const std::span<const OutlineChord>> chords, bool is_closed,
            double tolerance);
 
   using Cut = std::pair<std::uint32_t, Vec2>;  // a side, and a point that splits it

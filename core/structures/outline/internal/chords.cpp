@@ -44,7 +44,7 @@ double share_of_first(std::uint32_t part, std::uint32_t parts) {
 
 /// Adds the chords of a curved piece, which is part number `part` when the whole piece has `parts` equal ones.
 void add_chords(const Piece& piece, double tolerance, std::uint32_t part, std::uint32_t parts,
-                std::vector<Chord>& out) {
+                std::vector<OutlineChord>& out) {
   std::optional<Vec2> center = center_of_circle(piece);
   const bool is_arc = center.has_value();
   const double share = is_arc ? share_of_first(part, parts) : 0.5;
@@ -109,7 +109,7 @@ double distance_from_chord(Vec2 p, Vec2 from, Vec2 to) {
   return size > 0.0 ? std::abs(cross(along, p - from)) / size : distance(p, from);
 }
 
-void add_chords_of(const Piece& piece, double tolerance, std::vector<Chord>& out) {
+void add_chords_of(const Piece& piece, double tolerance, std::vector<OutlineChord>& out) {
   if (piece.kind == PieceKind::line) {
     out.push_back({piece.to()});
     return;
@@ -118,10 +118,10 @@ void add_chords_of(const Piece& piece, double tolerance, std::vector<Chord>& out
   Piece forwards = is_turned ? reversed(piece) : piece;
   if (piece.kind == PieceKind::arc) describe_by_ends(forwards);
   if (!is_turned) return add_chords(forwards, tolerance, 0, 1, out);
-  std::vector<Chord> chords;
+  std::vector<OutlineChord> chords;
   add_chords(forwards, tolerance, 0, 1, chords);
   for (std::size_t i = chords.size(); i > 0; --i) {
-    Chord chord = chords[i - 1];
+    OutlineChord chord = chords[i - 1];
     chord.to = i > 1 ? chords[i - 2].to : forwards.from();
     out.push_back(chord);
   }

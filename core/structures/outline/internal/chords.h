@@ -12,14 +12,14 @@
 namespace mes {
 
 /// A chord begins where the one before ends.
-struct Chord {
+struct OutlineChord {
   Vec2 to{};
   std::optional<Vec2> center{};  ///< of the circle that it stands for
   bool is_arc = false;           ///< the piece is an arc of that circle
 };
 
 /// Adds the chords that stand for a piece; they are within the tolerance of it.
-void add_chords_of(const Piece& piece, double tolerance, std::vector<Chord>& out);
+void add_chords_of(const Piece& piece, double tolerance, std::vector<OutlineChord>& out);
 
 /// True if the directions differ by so little that a curve goes on smoothly.
 bool go_on(Vec2 before, Vec2 after);
