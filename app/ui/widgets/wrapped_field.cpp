@@ -140,7 +140,7 @@ WrappedField::Written WrappedField::edited(std::string_view now, std::size_t cur
     while (out < most && a[static_cast<std::ptrdiff_t>(out)] == b[static_cast<std::ptrdiff_t>(out)]) ++out;
     return out;
   };
-  // What lies after the cursor is as it was, which tells equal letters apart.
+  // An edit leaves the text after the cursor alone, which tells equal letters apart.
   const std::size_t end = same(now.rbegin(), last_.rbegin(), std::min(now.size() - cursor, last_.size()));
   const std::size_t begin = same(now.begin(), last_.begin(), std::min(cursor, last_.size() - end));
   const std::string_view added = now.substr(begin, now.size() - end - begin);

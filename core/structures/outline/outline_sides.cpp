@@ -52,7 +52,7 @@ Vec2 middle_of(const OutlineSide& side) {
   return size > 0.0 ? *side.center + (radius_of(side) / size) * way : middle;
 }
 
-/// Of the side and its bow.
+/// The box holds the side and its bow.
 Box2 box_of(const OutlineSide& side) {
   Box2 box;
   box.add(side.from);
@@ -233,7 +233,7 @@ std::size_t for_each_outline(std::span<const PlaneCurve> curves, auto use) {
   return repeats;
 }
 
-/// Sides that stand for curves, whose own chords may be what crosses.
+/// How two curves meet whose chords cross: it is unclear while chords alone may cross.
 enum class Meeting : std::uint8_t { crosses, touches, unclear };
 
 /// Whether a point is so near the side that the axis between them depends on which chords the curve has.
@@ -286,7 +286,7 @@ class CurveChords {
     }
   }
 
-  /// Of the next piece.
+  /// Returns the chords of the next piece.
   std::span<const OutlineChord> next() {
     const std::size_t begin = next_ == 0 ? 0 : ends_[next_ - 1];
     const std::size_t end = ends_[next_++];

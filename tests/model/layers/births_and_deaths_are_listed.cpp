@@ -185,7 +185,7 @@ TEST_CASE("a class stays chosen while it is there, and nothing is chosen by an o
   CHECK_FALSE(latest.chosen().has_value());
 }
 
-TEST_CASE("lengths are said with the unit of a map, and without one where there is no map") {
+TEST_CASE("lengths have the unit of the map in words, and none without a map") {
   PersistenceRow row;
   row.is_hole = true;
   row.birth = 1.5;

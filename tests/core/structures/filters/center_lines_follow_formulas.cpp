@@ -276,7 +276,7 @@ TEST_CASE("smoothing keeps circles and long waves, and removes short ones") {
   smooth(ring, kUsualSmoothing);
   for (const Vec2 p : places(ring)) CHECK(length(p) == Approx(5.0).epsilon(1e-5));
 
-  // What is left of a low wave of so many beads in a straight strip of half width 1.
+  // The share of its height that a low wave of so many beads keeps, in a straight strip of half width 1.
   const auto left_of = [](double beads) {
     constexpr double kHeight = 1e-3;
     CenterLine line;
