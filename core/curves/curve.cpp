@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 namespace mes {
@@ -33,6 +32,18 @@ std::size_t point_count(PieceKind kind) {
   return 2;
 }
 
+/// The parabola with this control point has the ends of the arc and its tangents there. Neither the centre nor the angle
+/// counts, which rounding moves by more than the height of the arc.
+Vec2 control_of_parabola(const EllipticArc& arc, Vec2 from, Vec2 to) {
+  const double area = cross(arc.u, arc.v);
+  const Vec2 half = 0.5 * to - 0.5 * from;
+  const Vec2 chord{cross(half, arc.v) / area, cross(arc.u, half) / area};  // where the ellipse is the unit circle
+  Vec2 way = length(chord) / std::sqrt(1.0 - dot(chord, chord)) * perpendicular(chord);
+  const double middle = arc.start + 0.5 * arc.sweep;
+  if (dot(way, {std::cos(middle), std::sin(middle)}) < 0.0) way = -way;
+  return 0.5 * from + 0.5 * to + way.x * arc.u + way.y * arc.v;
+}
+
 }  // namespace
 
 // Source: SVG 2, appendix B.2.4 and B.2.5: scaling by the axes turns the ellipse into a unit circle.
@@ -48,27 +59,19 @@ std::optional<EllipticArc> arc_between(Vec2 from, Vec2 to, Vec2 radii, double ro
   const double reach = length(chord);
   if (!std::isfinite(reach) || reach == 0.0) return std::nullopt;
 
-  Vec2 center{};  // in units of the axes, relative to the middle of the chord
-  if (reach >= 1.0) {
-    radii = reach * radii;
-  } else {
-    const double height = std::sqrt((1.0 - reach) * (1.0 + reach));
-    center = (is_large == turns_to_v ? -height / reach : height / reach) * perpendicular(chord);
-  }
-  const double scale = std::max(reach, 1.0);
-  const Vec2 unit_chord{chord.x / scale, chord.y / scale};
-  const Vec2 begin = -unit_chord - center;
-  const Vec2 end = unit_chord - center;
+  // In units of the axes, relative to the middle of the chord.
+  const double height = reach < 1.0 ? std::sqrt((1.0 - reach) * (1.0 + reach)) : 0.0;
+  const Vec2 center = (is_large == turns_to_v ? -height / reach : height / reach) * perpendicular(chord);
+  if (reach >= 1.0) radii = reach * radii;
+  const Vec2 begin = -1.0 / std::max(reach, 1.0) * chord - center;
 
   EllipticArc arc;
   arc.u = radii.x * Vec2{cosine, sine};
   arc.v = radii.y * Vec2{-sine, cosine};
   arc.center = middle + (center.x * arc.u + center.y * arc.v);
   arc.start = std::atan2(begin.y, begin.x);
-  arc.sweep = std::atan2(cross(begin, end), dot(begin, end));
-  constexpr double kTurn = 2.0 * std::numbers::pi;
-  if (turns_to_v && arc.sweep < 0.0) arc.sweep += kTurn;
-  if (!turns_to_v && arc.sweep > 0.0) arc.sweep -= kTurn;
+  arc.sweep = 2.0 * std::atan2(std::min(reach, 1.0), is_large ? -height : height);
+  if (!turns_to_v) arc.sweep = -arc.sweep;
   return arc;
 }
 
@@ -196,6 +199,13 @@ void PlaneCurve::cubic_to(Vec2 first, Vec2 second, Vec2 to) {
 }
 
 void PlaneCurve::arc_to(const EllipticArc& arc, Vec2 to) {
+  constexpr double kFlat = 0x1p-16;
+  if (std::abs(arc.sweep) <= kFlat) {
+    const Vec2 middle = 0.5 * end() + 0.5 * to;
+    const Vec2 control = control_of_parabola(arc, end(), to);
+    if (control == middle) return line_to(to);
+    if (is_finite(control)) return quadratic_to(control, to);
+  }
   points_.push_back(to);
   kinds_.push_back(PieceKind::arc);
   arcs_.push_back(arc);

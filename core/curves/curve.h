@@ -74,7 +74,8 @@ class PlaneCurve {
   void lines_to(std::span<const Vec2> to);
   void quadratic_to(Vec2 control, Vec2 to);
   void cubic_to(Vec2 first, Vec2 second, Vec2 to);
-  /// The end is passed as well, so that it does not depend on rounding.
+  /// The end is passed as well, so that it does not depend on rounding. An arc that turns by 2^-16 at most, about a
+  /// centre far away, becomes the parabola that leaves it by less than 2^-53 of its length.
   void arc_to(const EllipticArc& arc, Vec2 to);
   /// Adds a line to the start unless the curve ends there.
   void close();

@@ -96,3 +96,24 @@ TEST_CASE("a closed curve ends where it starts") {
   back.close();
   CHECK(back.piece_count() == 2);
 }
+
+TEST_CASE("an arc about a centre far away keeps its height") {
+  for (const double radius : {1e6, 1e9, 1e12, 1e15})
+    for (const double ratio : {1.0, 3.0, 0.2})  // of the radii
+      for (const bool turns_to_v : {false, true}) {
+        CAPTURE(radius, ratio, turns_to_v);
+        PlaneCurve curve({0, 0});
+        curve.arc_to(*arc_between({0, 0}, {6, 0}, {radius, ratio * radius}, 0.0, false, turns_to_v), {6, 0});
+        const double height = 6.0 * 6.0 * ratio / (8.0 * radius);  // the circle of curvature has the radius a^2 / b
+        REQUIRE(curve.piece_count() == 1);
+        curve.for_each_piece([&](const Piece& piece) {
+          CHECK(piece.at(0.5).x == Approx(3.0).epsilon(1e-15));
+          CHECK(piece.at(0.5).y == Approx(turns_to_v ? -height : height).epsilon(1e-9));
+          CHECK(piece.first_direction().y == Approx(4.0 * piece.at(0.5).y / 6.0 * piece.first_direction().x));
+        });
+      }
+  PlaneCurve straight({0, 0});
+  if (const auto arc = arc_between({0, 0}, {6, 0}, {1e100, 1e100}, 0.0, false, true)) straight.arc_to(*arc, {6, 0});
+  straight.for_each_piece([](const Piece& piece) { CHECK(distance(piece.at(0.5), {3, 0}) < 1e-90); });
+  CHECK(straight.piece_count() == 1);
+}
