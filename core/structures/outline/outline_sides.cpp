@@ -3,21 +3,20 @@
 
 #include <fmt/core.h>
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <map>
-#include <numeric>
 #include <tuple>
-#include <unordered_map>
 #include <utility>
 
 #include "core/base/error.h"
-#include "core/base/geometry/box_tree.h"
 #include "core/curves/curve_bounds.h"
 #include "core/graph/size_refusal.h"
 #include "core/kernel/point_predicates.h"
 #include "core/structures/outline/internal/chords.h"
+#include "core/structures/outline/internal/curve_chords.h"
+#include "core/structures/outline/internal/outline_pieces.h"
+#include "core/structures/outline/internal/side_geometry.h"
 
 namespace mes {
 namespace {
@@ -30,70 +29,11 @@ bool by_ends(const OutlineSide& a, const OutlineSide& b) {
   return std::tie(a.from.x, a.from.y, a.to.x, a.to.y) < std::tie(b.from.x, b.from.y, b.to.x, b.to.y);
 }
 
-double radius_of(const OutlineSide& side) {
-  return 0.5 * (distance(side.from, *side.center) + distance(side.to, *side.center));
-}
-
-/// The bow of a side reaches as far from it, in heights.
-constexpr double kBow = 4.0;
-
-/// How far the circle of a side leaves it.
-double height_of(const OutlineSide& side) {
-  const Vec2 chord = side.to - side.from;
-  return side.center ? dot(chord, chord) / (8.0 * radius_of(side)) : 0.0;
-}
-
-/// The middle of the arc that the side stands for.
-Vec2 middle_of(const OutlineSide& side) {
-  const Vec2 middle = 0.5 * side.from + 0.5 * side.to;
-  if (!side.center) return middle;
-  const Vec2 way = middle - *side.center;
-  const double size = length(way);
-  return size > 0.0 ? *side.center + (radius_of(side) / size) * way : middle;
-}
-
-/// The box holds the side and its bow.
-Box2 box_of(const OutlineSide& side) {
-  Box2 box;
-  box.add(side.from);
-  box.add(side.to);
-  if (!side.center) return box;
-  const Vec2 margin = kBow * height_of(side) * Vec2{1.0, 1.0};
-  return {box.low - margin, box.high + margin};
-}
-
-BoxTree<std::uint32_t> tree_of(std::span<const OutlineSide> sides) {
-  std::vector<std::uint32_t> numbers(sides.size());
-  std::iota(numbers.begin(), numbers.end(), 0U);
-  BoxTree<std::uint32_t> tree;
-  tree.build(
-      std::span<const std::uint32_t>(numbers), [sides](std::uint32_t i) { return TreeBounds{box_of(sides[i])}; },
-      [](std::uint32_t, std::uint32_t) {});
-  return tree;
-}
-
-/// True for a point of the line through the side if it lies inside it; points on it are in this order.
-bool is_between(Vec2 p, const OutlineSide& side) {
-  return lexicographically_less(side.from, p) && lexicographically_less(p, side.to);
-}
-
 /// The crossing, rounded.
 Vec2 crossing_of(const OutlineSide& a, const OutlineSide& b) {
   const Vec2 along = a.to - a.from;
   const Vec2 other = b.to - b.from;
   return a.from + (cross(b.from - a.from, other) / cross(along, other)) * along;
-}
-
-/// The foot of a point on the line through a side: 0 at its first end, 1 at its second.
-double share_along(Vec2 p, const OutlineSide& side) {
-  const Vec2 along = side.to - side.from;
-  return dot(p - side.from, along) / dot(along, along);
-}
-
-/// True if the point can split the side, which it need not lie on.
-bool can_split(Vec2 p, const OutlineSide& side) {
-  const double share = share_along(p, side);
-  return p != side.from && p != side.to && share > 0.0 && share < 1.0;
 }
 
 /// Moves points that lie together to one of them. Where many sides cross at one point, each two have a crossing of their
@@ -138,10 +78,9 @@ class JoinedPoints {
   std::map<Number, Cell> cells_;
 };
 
-/// Whether two sides cross at a point which is an end of neither.
-bool cross_inside(const OutlineSide& a, const OutlineSide& b) {
-  return orientation(a.from, a.to, b.from) * orientation(a.from, a.to, b.to) < 0 &&
-         orientation(b.from, b.to, a.from) * orientation(b.from, b.to, a.to) < 0;
+/// True for a point of the line through the side if it lies inside it; points on it are in this order.
+bool is_between(Vec2 p, const OutlineSide& side) {
+  return lexicographically_less(side.from, p) && lexicographically_less(p, side.to);
 }
 
 /// Whether two sides are collinear and have more than a point in common.
@@ -149,204 +88,6 @@ bool have_common_part(const OutlineSide& a, const OutlineSide& b) {
   return lexicographically_less(a.from, b.to) && lexicographically_less(b.from, a.to) &&
          orientation(a.from, a.to, b.from) == 0 && orientation(a.from, a.to, b.to) == 0;
 }
-
-/// Calls `use(i, j)` for each two sides whose boxes meet, until it returns false.
-void for_each_meeting(std::span<const OutlineSide> sides, JobControl& job, auto use) {
-  const BoxTree<std::uint32_t> tree = tree_of(sides);
-  bool goes_on = true;
-  for (std::uint32_t i = 0; i < sides.size() && goes_on; ++i) {
-    constexpr std::uint32_t kRatherOften = 64;  // a side may cross all others
-    if (i % kRatherOften == 0) job.checkpoint();
-    const Box2 own = box_of(sides[i]);
-    tree.visit_where([&](const Box2& box, double) { return goes_on && overlap(own, box); },
-                     [&](std::uint32_t j) {
-                       if (j > i && goes_on && overlap(own, box_of(sides[j]))) goes_on = use(i, j);
-                     });
-  }
-}
-
-bool is_same(const Piece& a, const Piece& b) {
-  return a.kind == b.kind && a.points == b.points && a.arc == b.arc;
-}
-
-/// The pieces that are no points. A closed curve that goes around several times in the same way has those of one time.
-std::vector<Piece> pieces_of(const PlaneCurve& curve) {
-  std::vector<Piece> out;
-  curve.for_each_piece([&](const Piece& piece) {
-    if (piece.kind != PieceKind::line || piece.from() != piece.to()) out.push_back(piece);
-  });
-  if (!curve.is_closed() || out.empty()) return out;
-  // The border of a beginning is the longest shorter one with which it ends as well (Knuth, Morris and Pratt, 1977).
-  std::vector<std::size_t> border(out.size(), 0);
-  for (std::size_t i = 1; i < out.size(); ++i) {
-    std::size_t size = border[i - 1];
-    while (size != 0 && !is_same(out[size], out[i])) size = border[size - 1];
-    border[i] = is_same(out[size], out[i]) ? size + 1 : 0;
-  }
-  const std::size_t period = out.size() - border.back();
-  if (out.size() % period == 0) out.resize(period);
-  return out;
-}
-
-/// Whether two closed curves are the same in the same direction, wherever they begin.
-bool go_around_alike(std::span<const Piece> a, std::span<const Piece> b) {
-  if (a.size() != b.size()) return false;
-  const auto first = std::ranges::find_if(b, [&](const Piece& piece) { return is_same(piece, a.front()); });
-  const auto rest = static_cast<std::size_t>(b.end() - first);
-  return std::ranges::equal(a.first(rest), b.last(rest), is_same) &&
-         std::ranges::equal(a.last(a.size() - rest), b.first(b.size() - rest), is_same);
-}
-
-/// A number that does not depend on where the curve begins.
-std::uint64_t fingerprint(std::span<const Piece> pieces) {
-  std::uint64_t sum = 0;
-  for (const Piece& piece : pieces) {
-    std::uint64_t own = 0;
-    for (const double x : {piece.from().x, piece.from().y, piece.to().x, piece.to().y}) {
-      constexpr std::uint64_t kOdd = 0x9e3779b97f4a7c15U;                         // 2^64 over the golden ratio
-      own = std::rotl((own ^ std::bit_cast<std::uint64_t>(x + 0.0)) * kOdd, 29);  // + 0.0: -0 equals 0
-    }
-    sum += own;
-  }
-  return sum;
-}
-
-/// Calls `use(curve, pieces)` for each curve that has pieces, except closed ones that repeat another one. Returns how
-/// many these were.
-std::size_t for_each_outline(std::span<const PlaneCurve> curves, auto use) {
-  std::unordered_map<std::uint64_t, std::vector<const PlaneCurve*>> alike;
-  std::size_t repeats = 0;
-  for (const PlaneCurve& curve : curves) {
-    const std::vector<Piece> pieces = pieces_of(curve);
-    if (pieces.empty()) continue;
-    if (curve.is_closed()) {
-      std::vector<const PlaneCurve*>& others = alike[fingerprint(pieces)];
-      const auto is_repeat = [&](const PlaneCurve* other) { return go_around_alike(pieces, pieces_of(*other)); };
-      if (std::ranges::any_of(others, is_repeat)) {
-        ++repeats;
-        continue;
-      }
-      others.push_back(&curve);
-    }
-    use(curve, pieces);
-  }
-  return repeats;
-}
-
-/// How two curves meet whose chords cross: it is unclear while chords alone may cross.
-enum class Meeting : std::uint8_t { crosses, touches, unclear };
-
-/// Whether a point is so near the side that the axis between them depends on which chords the curve has.
-bool is_in_bow(Vec2 p, const OutlineSide& side) {
-  return side.center && can_split(p, side) && distance_from_chord(p, side.from, side.to) <= kBow * height_of(side);
-}
-
-bool are_on_one_circle(const OutlineSide& a, const OutlineSide& b, double least) {
-  return a.center && b.center && distance(*a.center, *b.center) <= least &&
-         std::abs(radius_of(a) - radius_of(b)) <= least;
-}
-
-/// How the curves of two sides meet that cross inside. They cross where the angle between the sides is much larger than
-/// those by which the curves turn along them. Curves whose chords leave them by no more than `least` touch.
-Meeting meeting_of(const OutlineSide& a, const OutlineSide& b, double least) {
-  const Vec2 along = a.to - a.from;
-  const Vec2 other = b.to - b.from;
-  constexpr double kLarge = 2.0;
-  const auto turn = [](const OutlineSide& side, Vec2 chord) {
-    return side.center ? length(chord) / radius_of(side) : 0.0;
-  };
-  if (std::abs(cross(along, other)) >= kLarge * (turn(a, along) + turn(b, other)) * length(along) * length(other))
-    return Meeting::crosses;
-  return std::max(height_of(a), height_of(b)) <= least ? Meeting::touches : Meeting::unclear;
-}
-
-/// Chords that leave their curves by less are those of the curve to rounding.
-double least_height(std::span<const OutlineSide> sides) {
-  Box2 extent;
-  for (const OutlineSide& side : sides) extent.add(box_of(side));
-  return 0x1p-44 *
-         std::max({std::abs(extent.low.x), std::abs(extent.low.y), std::abs(extent.high.x), std::abs(extent.high.y)});
-}
-
-/// The chords of the pieces of all outlines, in the order of `for_each_outline`.
-class CurveChords {
- public:
-  CurveChords(std::span<const PlaneCurve> curves, double tolerance, JobControl& job) {
-    for_each_outline(curves, [&](const PlaneCurve& /*curve*/, std::span<const Piece> pieces) {
-      for (const Piece& piece : pieces) {
-        starts_.push_back(piece.from());
-        add_chords_of(piece, tolerance, chords_);
-        ends_.push_back(chords_.size());
-      }
-    });
-    // Chords of curves that touch cross near the point, and those of a thin lens are the same. Each round halves them.
-    constexpr int kMostRounds = 64;
-    const std::size_t most = 8 * chords_.size() + kOften;
-    for (int round = 0; round < kMostRounds && chords_.size() <= most && refine(job); ++round) {
-    }
-  }
-
-  /// Returns the chords of the next piece.
-  std::span<const OutlineChord> next() {
-    const std::size_t begin = next_ == 0 ? 0 : ends_[next_ - 1];
-    const std::size_t end = ends_[next_++];
-    return std::span(chords_).subspan(begin, end - begin);
-  }
-
- private:
-  std::vector<OutlineSide> sides() const {
-    std::vector<OutlineSide> out;
-    out.reserve(chords_.size());
-    for (std::size_t piece = 0; piece < starts_.size(); ++piece) {
-      Vec2 at = starts_[piece];
-      for (std::size_t i = piece == 0 ? 0 : ends_[piece - 1]; i < ends_[piece]; ++i) {
-        const auto [from, to] = std::minmax(at, chords_[i].to, lexicographically_less);
-        out.push_back({.from = from, .to = to, .center = chords_[i].center});
-        at = chords_[i].to;
-      }
-    }
-    return out;
-  }
-
-  /// Halves chords that cross or are equal where their curves need not, and those near the ends of others. Returns whether
-  /// it found some.
-  bool refine(JobControl& job) {
-    if (std::ranges::none_of(chords_, [](const OutlineChord& chord) { return chord.center.has_value(); }))
-      return false;
-    const std::vector<OutlineSide> all = sides();
-    const double least = least_height(all);
-    std::vector<bool> is_halved(all.size(), false);
-    for_each_meeting(all, job, [&](std::uint32_t i, std::uint32_t j) {
-      const OutlineSide& a = all[i];
-      const OutlineSide& b = all[j];
-      if ((!a.center && !b.center) || are_on_one_circle(a, b, least)) return true;
-      const bool are_equal = a.from == b.from && a.to == b.to;
-      const bool is_unclear = are_equal ? distance(middle_of(a), middle_of(b)) > least
-                                        : cross_inside(a, b) && meeting_of(a, b, least) == Meeting::unclear;
-      if (is_unclear || is_in_bow(b.from, a) || is_in_bow(b.to, a))
-        is_halved[i] = is_halved[i] || height_of(a) > least;
-      if (is_unclear || is_in_bow(a.from, b) || is_in_bow(a.to, b))
-        is_halved[j] = is_halved[j] || height_of(b) > least;
-      return true;
-    });
-    if (std::ranges::find(is_halved, true) == is_halved.end()) return false;
-    std::vector<OutlineChord> finer;
-    std::size_t piece = 0;
-    for (std::size_t i = 0; i < chords_.size(); ++i) {
-      for (; ends_[piece] == i; ++piece) ends_[piece] = finer.size();
-      if (is_halved[i]) finer.push_back({middle_of(all[i]), chords_[i].center, chords_[i].is_arc});
-      finer.push_back(chords_[i]);
-    }
-    for (; piece < ends_.size(); ++piece) ends_[piece] = finer.size();
-    chords_ = std::move(finer);
-    return true;
-  }
-
-  std::vector<OutlineChord> chords_;
-  std::vector<Vec2> starts_;       // of each piece
-  std::vector<std::size_t> ends_;  // number of chords before the end of each piece
-  std::size_t next_ = 0;
-};
 
 /// All ends, each once, sorted.
 std::vector<Vec2> ends_of(std::span<const OutlineSide> sides) {

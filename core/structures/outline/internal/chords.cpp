@@ -66,12 +66,6 @@ void add_chords(const Piece& piece, double tolerance, std::uint32_t part, std::u
   add_chords(piece.part(share, 1.0), tolerance, 2 * part + 1, 2 * parts, out);
 }
 
-/// The angle of a point on the ellipse of an arc.
-double angle_on(const EllipticArc& arc, Vec2 p) {
-  const double area = cross(arc.u, arc.v);
-  return std::atan2(cross(arc.u, p - arc.center) / area, cross(p - arc.center, arc.v) / area);
-}
-
 /// An arc has many descriptions, and turning it round rounds its angles. This one depends on its ends alone where they
 /// lie on it: its first end has the angle 0 on a circle.
 void describe_by_ends(Piece& piece) {
@@ -98,6 +92,11 @@ bool is_backwards(const Piece& piece) {
 }
 
 }  // namespace
+
+double angle_on(const EllipticArc& arc, Vec2 p) {
+  const double area = cross(arc.u, arc.v);
+  return std::atan2(cross(arc.u, p - arc.center) / area, cross(p - arc.center, arc.v) / area);
+}
 
 bool go_on(Vec2 before, Vec2 after) {
   return dot(before, after) > 0.0 && std::abs(cross(before, after)) <= kSmoothTurn * dot(before, after);

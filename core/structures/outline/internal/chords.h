@@ -21,6 +21,9 @@ struct OutlineChord {
 /// Adds the chords that stand for a piece; they are within the tolerance of it.
 void add_chords_of(const Piece& piece, double tolerance, std::vector<OutlineChord>& out);
 
+/// The angle of a point on the ellipse of an arc.
+double angle_on(const EllipticArc& arc, Vec2 p);
+
 /// True if the directions differ by so little that a curve goes on smoothly.
 bool go_on(Vec2 before, Vec2 after);
 

@@ -295,6 +295,44 @@ TEST_CASE("a curved side that two shapes share has the same chords in both direc
   }
 }
 
+TEST_CASE("shapes that share a part of an arc have the same chords along it, and none cross") {
+  Rng rng(11);
+  for (int i = 0; i < 400; ++i) {
+    CAPTURE(i);
+    const Vec2 center{rng.uniform(-50.0, 50.0), rng.uniform(-50.0, 50.0)};
+    const double radius = rng.uniform(1.0, 30.0);
+    const auto at = [&](double angle) { return center + radius * Vec2{std::cos(angle), std::sin(angle)}; };
+    const double begin = rng.uniform(0.0, 6.0);
+    const double end = begin + rng.uniform(0.6, 2.6);
+    // An arc that begins or ends between the ends of the first, lies in it, or holds it.
+    const double other_begin = begin + rng.uniform(-0.25, 0.25);
+    const double other_end = end + rng.uniform(-0.25, 0.25);
+    const auto go = [&](PlaneCurve& curve, double to, bool turns_left) {
+      curve.arc_to(arc_between(curve.end(), at(to), {radius, radius}, 0.0, false, turns_left).value(), at(to));
+    };
+    PlaneCurve segment(at(begin));
+    go(segment, end, true);
+    segment.close();
+    PlaneCurve around(at(other_end));
+    go(around, other_begin, false);
+    const double middle = 0.5 * (begin + end);
+    around.line_to(center + 2.0 * (at(other_begin) - center));
+    around.line_to(center + 2.0 * (at(middle) - center));
+    around.line_to(center + 2.0 * (at(other_end) - center));
+    around.close();
+    const std::vector<PlaneCurve> curves{segment, around};
+    JobControl job;
+    CHECK(faults_of_outlines(curves, job).crossings == 0);
+    OutlineSides sides;
+    sides.add(curves, 1e-3, job);
+    double shared = 0.0;
+    for (const OutlineSide& side : sides.take(job))
+      if (!side.separates) shared += distance(side.from, side.to);
+    CHECK(sides.crossings() == 0);
+    CHECK(shared == Approx(radius * (std::min(end, other_end) - std::max(begin, other_begin))).epsilon(1e-3));
+  }
+}
+
 TEST_CASE("circles that touch from inside, thin lenses and thin rings have their axis, however they are turned") {
   const auto length_of_axis = [](const std::vector<PlaneCurve>& curves) {
     const AxisBench bench(data_of_curves(curves));
