@@ -21,6 +21,7 @@ Format ipe_format();
 Format dxf_format();
 Format shapefile_format();
 Format wkb_format();
+Format geometry_table_format();
 Format geopackage_format();
 Format flatgeobuf_format();
 Format ply_format();
@@ -51,6 +52,7 @@ void add_formats(NamedList<Format>& to) {
   add(dxf_format());
   add(shapefile_format());
   add(wkb_format());
+  add(geometry_table_format());
   add(geopackage_format());
   add(flatgeobuf_format());
   add(ply_format());

@@ -118,7 +118,7 @@ std::string PropertyNames::free_name(std::string name, std::string_view prefix) 
 }
 
 std::span<const std::string_view> feature_formats() {
-  static constexpr std::array<std::string_view, 6> kFormats{"geojson",   "kml",        "wkt",
+  static constexpr std::array<std::string_view, 7> kFormats{"geojson",   "kml",        "wkt",       "geometry-table",
                                                             "shapefile", "geopackage", "flatgeobuf"};
   return kFormats;
 }
@@ -144,6 +144,11 @@ Expected<FeatureList> read_features(const Registry& registry, const std::string&
     // Each line of anything else would be a feature that is wrong.
     if (begins_as("wkt"))
       for (MapFeature& feature : wkt_features(*bytes)) add_named(std::move(feature), "wkt", file, out);
+  } else if (is_in("geometry-table")) {
+    for (MapFeature& feature : geometry_table_features(*bytes)) {
+      const bool is_wkt = begins_wkt(feature.text);
+      add_named(std::move(feature), is_wkt ? "wkt" : "wkb", file, out);
+    }
   } else {
     const std::size_t begin = without_bom(*bytes).find_first_not_of(kBlanks);
     if (is_for_gdal(*bytes)) {
@@ -160,7 +165,9 @@ Expected<FeatureList> read_features(const Registry& registry, const std::string&
       if (!bytes) return std::unexpected(bytes.error());
     } else if (begin == std::string_view::npos || without_bom(*bytes)[begin] != '{') {
       Error other{ErrorCode::bad_input,
-                  "--each reads features of GeoJSON, KML, WKT, shapefiles, GeoPackages and FlatGeobufs", file};
+                  "--each reads features of GeoJSON, KML, WKT, tables with a column of geometries, shapefiles, "
+                  "GeoPackages and FlatGeobufs",
+                  file};
       return std::unexpected(better_reason(registry, *bytes, file, std::move(other)));
     }
     if (auto done = add_geojson(without_bom(*bytes), file, out); !done)

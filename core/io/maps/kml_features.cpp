@@ -3,10 +3,10 @@
 #include <array>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <set>
 #include <sstream>
 #include <utility>
 
+#include "core/io/maps/feature_properties.h"
 #include "core/io/maps/map_features.h"
 #include "core/io/text/text_numbers.h"
 #include "core/io/xml/xml_source.h"
@@ -15,26 +15,6 @@ namespace mes {
 namespace {
 
 using pugi::xml_node;
-
-/// JSON of a text. Old files are not always in UTF-8.
-std::string json_of_text(std::string_view text) {
-  using Json = nlohmann::json;
-  try {
-    return Json(text).dump();
-  } catch (const Json::type_error&) {
-    std::string utf8;
-    for (const char c : text) {
-      const auto byte = static_cast<unsigned char>(c);
-      if (byte < 0x80) {
-        utf8 += c;
-        continue;
-      }
-      utf8 += static_cast<char>(0xC0U | (byte >> 6U));
-      utf8 += static_cast<char>(0x80U | (byte & 0x3FU));
-    }
-    return Json(utf8).dump();
-  }
-}
 
 /// The text of an element without blanks at both ends.
 std::string_view text_of(xml_node node) {
@@ -50,16 +30,16 @@ class KmlAttributes {
   /// Types of fields by the id of their schema and their name.
   using Types = std::map<std::pair<std::string, std::string>, std::string>;
 
-  KmlAttributes(MapFeature& feature, const Types& types) : feature_(feature), types_(types) {}
+  KmlAttributes(MapFeature& feature, const Types& types) : properties_(feature), types_(types) {}
 
   void add_all(xml_node placemark) {
     constexpr std::array<std::string_view, 4> kTexts{"name", "description", "address", "phoneNumber"};
     for (const xml_node child : placemark.children()) {
       const std::string_view kind = local_name(child.name());
-      if (std::ranges::find(kTexts, kind) != kTexts.end()) add_text(kind, text_of(child));
+      if (std::ranges::find(kTexts, kind) != kTexts.end()) properties_.add_text(kind, text_of(child));
       if (kind == "ExtendedData") add_extended(child);
       if (kind != "TimeStamp" && kind != "TimeSpan") continue;
-      for (const xml_node time : child.children()) add_text(local_name(time.name()), text_of(time));
+      for (const xml_node time : child.children()) properties_.add_text(local_name(time.name()), text_of(time));
     }
   }
 
@@ -69,14 +49,15 @@ class KmlAttributes {
       const std::string_view kind = local_name(child.name());
       if (kind == "Data") {
         for (const xml_node value : child.children())
-          if (local_name(value.name()) == "value") add_text(child.attribute("name").value(), text_of(value));
+          if (local_name(value.name()) == "value")
+            properties_.add_text(child.attribute("name").value(), text_of(value));
       } else if (kind == "SchemaData") {
         std::string_view schema = child.attribute("schemaUrl").value();
         schema.remove_prefix(std::min(schema.size(), schema.find('#') + 1));
         for (const xml_node field : child.children())
           if (local_name(field.name()) == "SimpleData") add_typed(std::string(schema), field);
       } else if (child.first_child().type() == pugi::node_pcdata || child.first_child().type() == pugi::node_cdata) {
-        add_text(kind, text_of(child));  // an element of another language
+        properties_.add_text(kind, text_of(child));  // an element of another language
       }
     }
   }
@@ -91,28 +72,15 @@ class KmlAttributes {
         std::ranges::find(kNumbers, type) != kNumbers.end() && parse_number(value) && nlohmann::json::accept(value);
     const bool is_yes = value == "1" || value == "true";
     if (is_number)
-      add(name, std::string(value));
+      properties_.add(name, std::string(value));
     else if (type == "bool" && (is_yes || value == "0" || value == "false"))
-      add(name, is_yes ? "true" : "false");
+      properties_.add(name, is_yes ? "true" : "false");
     else
-      add_text(name, value);
+      properties_.add_text(name, value);
   }
 
-  void add_text(std::string_view name, std::string_view value) { add(name, json_of_text(value)); }
-
-  void add(std::string_view name, const std::string& value) {
-    std::string key(name);
-    while (!taken_.insert(key).second)
-      key = std::string(name) + '_' + std::to_string(++times_[std::string(name)] + 1);
-    if (!feature_.properties.empty()) feature_.properties += ',';
-    feature_.properties += json_of_text(key) + ':' + value;
-    feature_.keys.push_back(std::move(key));
-  }
-
-  MapFeature& feature_;
+  FeatureProperties properties_;
   const Types& types_;
-  std::set<std::string> taken_;       // the keys
-  std::map<std::string, int> times_;  // how often a name was taken
 };
 
 }  // namespace

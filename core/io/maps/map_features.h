@@ -27,6 +27,18 @@ Expected<std::vector<MapFeature>> kml_features(std::string_view bytes, const std
 /// closed. Other text is a feature up to the end of its line, which the reader of WKT refuses.
 std::vector<MapFeature> wkt_features(std::string_view bytes);
 
+/// The records of a table with a column of geometries; the other columns are properties, without a name `field_1`,
+/// `field_2` and so on. A column of numbers has numbers, all others have texts; empty fields are null. Empty if the bytes
+/// are no such table. Never fails: the reader of a geometry does.
+std::vector<MapFeature> geometry_table_features(std::string_view bytes);
+
+/// Whether a text begins as WKT does: with the name of a geometry and what can follow it, or a code.
+bool begins_wkt(std::string_view text);
+/// The code at the beginning of WKT, such as `SRID=25832;`, or nothing.
+std::string_view srid_of_wkt(std::string_view text);
+/// Whether a text is a geometry of WKB in hexadecimal digits; only the beginning decides which.
+bool is_hexadecimal_wkb(std::string_view text);
+
 /// Checks what GDAL does not say, or says in words of its own, of the shapefile at `path`. Returns a remark on its
 /// coordinate system, which may be empty. `has_system`: the system is chosen, so that its `.prj` does not count. Error:
 /// `bad_input`, if it ends before the end that its header tells, has no `.shx` beside it, or a `.prj` that is no

@@ -11,6 +11,7 @@
 
 #include "core/base/geometry/coordinate_range.h"
 #include "core/io/format_spec.h"
+#include "core/io/maps/map_features.h"
 #include "core/io/maps/map_shapes.h"
 #include "core/io/text/line_end.h"
 #include "core/io/text/text_numbers.h"
@@ -291,17 +292,6 @@ bool begins_geometry(std::string_view bytes, std::size_t size) {
   return size >= head + (kind->type == WkbType::point ? 8 * kind->numbers : 4);
 }
 
-bool is_hexadecimal(std::string_view text) {
-  const std::string_view digits = hex_digits_of(text.substr(0, end_of_line(text)));
-  if (digits.size() < 2 * kGeometryHeader || digits.size() % 2 != 0 ||
-      !std::ranges::all_of(digits, [](char c) { return digit_of(c) >= 0; }))
-    return false;
-  std::string head;
-  for (std::size_t i = 0; i < kGeometryHeader; ++i)
-    head += static_cast<char>(16 * digit_of(digits[2 * i]) + digit_of(digits[2 * i + 1]));
-  return begins_geometry(head, digits.size() / 2);
-}
-
 std::string_view without_blank_lines(std::string_view bytes) {
   bytes = without_bom(bytes);
   bytes.remove_prefix(std::min(bytes.find_first_not_of(" \t\r\n"), bytes.size()));
@@ -309,8 +299,8 @@ std::string_view without_blank_lines(std::string_view bytes) {
 }
 
 Match match_wkb(std::string_view bytes) {
-  return begins_geometry(bytes, bytes.size()) || is_hexadecimal(without_blank_lines(bytes)) ? Match::surely
-                                                                                            : Match::no;
+  return begins_geometry(bytes, bytes.size()) || is_hexadecimal_wkb(without_blank_lines(bytes)) ? Match::surely
+                                                                                                : Match::no;
 }
 
 Expected<LoadedFile> read_wkb(std::string_view bytes, const std::string& name, const ReadRequest& request,
@@ -328,6 +318,7 @@ Expected<LoadedFile> read_wkb(std::string_view bytes, const std::string& name, c
     const std::string_view line = rest.substr(0, end);
     rest.remove_prefix(std::min(end + (rest.substr(end).starts_with("\r\n") ? 2 : 1), rest.size()));
     const std::string_view digits = hex_digits_of(line);
+    if (digits.empty()) continue;
     geometry.clear();
     for (std::size_t i = 0; i < digits.size(); i += 2) {
       const std::size_t wrong = digit_of(digits[i]) < 0 ? i : i + 1;
@@ -344,6 +335,17 @@ Expected<LoadedFile> read_wkb(std::string_view bytes, const std::string& name, c
 }
 
 }  // namespace
+
+bool is_hexadecimal_wkb(std::string_view text) {
+  const std::string_view digits = hex_digits_of(text.substr(0, end_of_line(text)));
+  if (digits.size() < 2 * kGeometryHeader || digits.size() % 2 != 0 ||
+      !std::ranges::all_of(digits, [](char c) { return digit_of(c) >= 0; }))
+    return false;
+  std::string head;
+  for (std::size_t i = 0; i < kGeometryHeader; ++i)
+    head += static_cast<char>(16 * digit_of(digits[2 * i]) + digit_of(digits[2 * i + 1]));
+  return begins_geometry(head, digits.size() / 2);
+}
 
 Format wkb_format() {
   return {.descriptor = {.id = "wkb",

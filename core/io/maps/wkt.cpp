@@ -322,18 +322,8 @@ class WktReader {
   bool joins_ = false;  // the parts of a curve share their ends
 };
 
-/// Recognises the name of a geometry and the text that can follow it.
 Match match_wkt(std::string_view bytes) {
-  Words words(without_bom(bytes));
-  if (is_srid(words.word())) {
-    words.skip_word();
-    return words.sign() == '=' ? Match::surely : Match::no;
-  }
-  if (words.is_at_end() || !is_letter(words.sign()) || wkt_type_named(words.word()) == nullptr) return Match::no;
-  words.skip_word();
-  const std::string next = lower_case(words.word().substr(0, 6));
-  const bool follows = words.sign() == '(' || next == "empty" || next == "z" || next == "m" || next == "zm";
-  return follows ? Match::surely : Match::no;
+  return begins_wkt(without_bom(bytes)) ? Match::surely : Match::no;
 }
 
 Expected<LoadedFile> read_wkt(std::string_view bytes, const std::string& name, const ReadRequest& request,
@@ -375,6 +365,23 @@ void skip_geometry(Words& words) {
 }
 
 }  // namespace
+
+bool begins_wkt(std::string_view text) {
+  Words words(text);
+  if (is_srid(words.word())) {
+    words.skip_word();
+    return words.sign() == '=';
+  }
+  if (words.is_at_end() || !is_letter(words.sign()) || wkt_type_named(words.word()) == nullptr) return false;
+  words.skip_word();
+  const std::string next = lower_case(words.word().substr(0, 6));
+  return words.sign() == '(' || next == "empty" || next == "z" || next == "m" || next == "zm";
+}
+
+std::string_view srid_of_wkt(std::string_view text) {
+  Words words(text);
+  return skip_srid(words) ? text.substr(0, words.place()) : std::string_view();
+}
 
 std::vector<MapFeature> wkt_features(std::string_view bytes) {
   const std::string_view text = without_bom(bytes);

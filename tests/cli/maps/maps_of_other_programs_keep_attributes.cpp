@@ -187,6 +187,24 @@ TEST_CASE("cells have the attributes of their points, in a box and within an out
   }
 }
 
+TEST_CASE("the rows of a table with WKT keep their columns") {
+  const TemporaryFolder folder;
+  const Json expected = made({"centerline", parcels_as(folder, "a.gpkg"), "--each"});
+  for (const std::string separator : {"COMMA", "SEMICOLON", "TAB"}) {
+    INFO(separator);
+    const std::string file = parcels_as(folder, separator + ".csv",
+                                        {"-f", "CSV", "-lco", "GEOMETRY=AS_WKT", "-lco", "SEPARATOR=" + separator});
+    const Json lines = made({"centerline", file, "--each", "--crs", "EPSG:25832"});
+    REQUIRE(lines["features"].size() == 2);
+    for (std::size_t i = 0; i < 2; ++i) {
+      const Json& given = lines["features"][i]["properties"];
+      const Json& wanted = expected["features"][i]["properties"];
+      for (const std::string key : {"name", "use", "area"}) CHECK(given[key] == wanted[key]);
+      CHECK(given["length"].get<double>() == Approx(wanted["length"].get<double>()).epsilon(1e-6));
+    }
+  }
+}
+
 TEST_CASE("the placemarks of a KML keep their attributes") {
   const TemporaryFolder folder;
   const std::string from = folder.write("parcels.geojson", kParcels).string();
