@@ -22,7 +22,6 @@
 #include "core/structures/density/sample_sizes.h"
 #include "core/structures/outline/outline_center_lines.h"
 #include "core/structures/outline/outline_sides.h"
-#include "core/workbench/workbench.h"
 
 namespace mes {
 namespace {
@@ -240,24 +239,22 @@ Expected<CenterLineInput> input_for_center_lines(const SampleData& data, CenterL
   return out;
 }
 
-Expected<CenterLines> compute_center_lines(const Registry& registry, const SampleData& data,
-                                           const CenterLineWish& wish, JobControl& job,
-                                           const std::function<void(std::string_view)>& on_task) {
+Expected<CenterLines> CenterLineFinder::find(const SampleData& data, const CenterLineWish& wish, JobControl& job,
+                                             const std::function<void(std::string_view)>& on_task) {
   ComputationSettings settings;
   settings[Parameter::lambda_limit] = wish.lambda_limit;
-  Workbench bench(registry, {.keeps_document = false});
-  const auto& lambda = bench.get<LambdaAxis>();
-  const auto& angle = bench.get<AngleAxis>();
-  const auto& outline = bench.get<OutlineAxis>();
+  const auto& lambda = bench_.get<LambdaAxis>();
+  const auto& angle = bench_.get<AngleAxis>();
+  const auto& outline = bench_.get<OutlineAxis>();
   const std::vector<std::string_view> needed = wish.is_exact ? std::vector<std::string_view>{outline.id()}
                                                              : std::vector<std::string_view>{lambda.id(), angle.id()};
-  if (auto good = bench.need(needed); !good) return std::unexpected(good.error());
-  bench.choose(settings);
-  if (auto good = bench.load(data); !good) return std::unexpected(good.error());
-  bench.set_on_task(on_task);
-  if (auto good = bench.run_or_throw(job); !good) return std::unexpected(good.error());
-  const auto& crust = bench.get<OneStepCrust>();
-  const auto branches = [&] { return branches_of(lambda, bench.get<InnerBalls>(), lambda, angle, kLeastBranch); };
+  if (auto good = bench_.need(needed); !good) return std::unexpected(good.error());
+  bench_.choose(settings);
+  if (auto good = bench_.load(data); !good) return std::unexpected(good.error());
+  bench_.set_on_task(on_task);
+  if (auto good = bench_.run_or_throw(job); !good) return std::unexpected(good.error());
+  const auto& crust = bench_.get<OneStepCrust>();
+  const auto branches = [&] { return branches_of(lambda, bench_.get<InnerBalls>(), lambda, angle, kLeastBranch); };
   CenterLines out = wish.is_exact ? center_lines_of(outline, wish.request, job)
                                   : center_lines_of(lambda, crust, branches(), wish.request, job);
   if (out.unjoined != 0 && out.lines.empty())
@@ -275,7 +272,7 @@ Expected<CenterLines> compute_center_lines(const Registry& registry, const Sampl
   // Pruned arms reach up to 1 + salience radii; a ray beside them may be somewhat longer.
   const double most = 2.0 * (1.0 + wish.request.least_salience);
   if (wish.is_extended && wish.is_exact) extend_to_outline(out, outline, most);
-  if (wish.is_extended && !wish.is_exact) extend_to_curve(out, bench.get<Delaunay>(), crust, most);
+  if (wish.is_extended && !wish.is_exact) extend_to_curve(out, bench_.get<Delaunay>(), crust, most);
   return out;
 }
 

@@ -12,10 +12,9 @@
 #include "core/base/jobs/job_control.h"
 #include "core/document/sample_data.h"
 #include "core/structures/filters/center_lines.h"
+#include "core/workbench/workbench.h"
 
 namespace mes {
-
-class Registry;
 
 struct CenterLineWish {
   SmoothingTolerance tolerance = kUsualSmoothing;
@@ -53,10 +52,22 @@ struct CenterLineInput {
 /// Throws `Cancelled`.
 Expected<CenterLineInput> input_for_center_lines(const SampleData& data, CenterLineBasis basis, JobControl& job);
 
-/// Error: `usage` if the wish names ends and no line joins any; `cannot_compute` if a structure failed, or there is no
-/// line, with the reason. Throws `Cancelled`. `on_task` is called with the id of each structure before it begins.
-Expected<CenterLines> compute_center_lines(const Registry& registry, const SampleData& data,
-                                           const CenterLineWish& wish, JobControl& job,
-                                           const std::function<void(std::string_view)>& on_task = {});
+/// Computes centre lines of one set of samples or outlines after the other. Structures are made once: for an outline with
+/// few sides this takes longer than its lines.
+///
+/// Threads: one at a time.
+class CenterLineFinder {
+ public:
+  /// The registry must outlive the finder.
+  explicit CenterLineFinder(const Registry& registry) : bench_(registry, {.keeps_document = false}) {}
+
+  /// Error: `usage` if the wish names ends and no line joins any; `cannot_compute` if a structure failed, or there is no
+  /// line, with the reason. Throws `Cancelled`. `on_task` is called with the id of each structure before it begins.
+  Expected<CenterLines> find(const SampleData& data, const CenterLineWish& wish, JobControl& job,
+                             const std::function<void(std::string_view)>& on_task = {});
+
+ private:
+  Workbench bench_;
+};
 
 }  // namespace mes

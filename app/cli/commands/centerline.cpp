@@ -5,6 +5,7 @@
 #include <array>
 #include <functional>
 #include <map>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -254,7 +255,7 @@ CenterLineBasis basis_of(const CenterlineJob& job, bool keeps_samples) {
 
 /// Takes samples and computes the lines. Adds remarks on the outlines and their samples to `remarks`, also if there is
 /// no line. Calls `on_task` with the id of each structure before it begins.
-Expected<FoundLines> find_lines(const Registry& registry, const CenterlineJob& job, const SampleData& data,
+Expected<FoundLines> find_lines(CenterLineFinder& finder, const CenterlineJob& job, const SampleData& data,
                                 CenterLineBasis basis, const std::string& name, std::vector<std::string>& remarks,
                                 const std::function<void(std::string_view)>& on_task) {
   if (data.positions.empty()) return in_file({ErrorCode::bad_input, "there are no samples and no curves"}, name);
@@ -279,7 +280,7 @@ Expected<FoundLines> find_lines(const Registry& registry, const CenterlineJob& j
         if (!is_finite(end)) return in_file({ErrorCode::usage, "--between has a point that is not on the map"}, name);
     }
   }
-  auto found = compute_center_lines(registry, input->data, wish, control, on_task);
+  auto found = finder.find(input->data, wish, control, on_task);
   if (!found) return in_file(found.error(), name);
   out.lines = *std::move(found);
   out.map = data.map;
@@ -324,6 +325,33 @@ class FeatureRemarks {
   std::vector<Remark> remarks_;
 };
 
+/// A finder for each task that runs at the same time.
+class Finders {
+ public:
+  explicit Finders(const Registry& registry) : registry_(registry) {}
+  /// A finder that is free, or a new one.
+  std::unique_ptr<CenterLineFinder> take() {
+    {
+      const std::lock_guard lock(mutex_);
+      if (!free_.empty()) {
+        auto out = std::move(free_.back());
+        free_.pop_back();
+        return out;
+      }
+    }
+    return std::make_unique<CenterLineFinder>(registry_);
+  }
+  void give_back(std::unique_ptr<CenterLineFinder> finder) {
+    const std::lock_guard lock(mutex_);
+    free_.push_back(std::move(finder));
+  }
+
+ private:
+  const Registry& registry_;
+  std::mutex mutex_;
+  std::vector<std::unique_ptr<CenterLineFinder>> free_;
+};
+
 /// Each feature by itself, on all cores, with lines and messages in the order of the features. Error: no feature has a
 /// line.
 Expected<void> process_features(const Registry& registry, const std::string& file, const ReadingOptions& reading,
@@ -332,6 +360,7 @@ Expected<void> process_features(const Registry& registry, const std::string& fil
   std::vector<Expected<FoundLines>> found(list.features.size());
   std::vector<std::vector<std::string>> warnings(found.size());
   out.names = PropertyNames(list.features);
+  Finders finders(registry);
   std::mutex progress_mutex;
   std::size_t finished = 0;
   run_tasks(list.features.size(), [&](std::size_t i) {
@@ -339,8 +368,10 @@ Expected<void> process_features(const Registry& registry, const std::string& fil
     auto loaded = read_input_bytes(registry, feature.text, feature.name, feature.format, reading);
     if (loaded) {
       warnings[i] = std::move(loaded->warnings);
-      found[i] = find_lines(registry, job, loaded->data, basis_of(job, reading.keeps_vertices), feature.name,
+      auto finder = finders.take();
+      found[i] = find_lines(*finder, job, loaded->data, basis_of(job, reading.keeps_vertices), feature.name,
                             warnings[i], {});
+      finders.give_back(std::move(finder));
     } else {
       // Lines and columns would be those of the feature alone.
       Error error = loaded.error();
@@ -416,8 +447,9 @@ Expected<void> run_centerline(const Registry& registry, const CenterlineRequest&
       std::vector<std::string> remarks;
       const auto ids = registry.structures();
       progress.show("sampling", 0.0);
+      CenterLineFinder finder(registry);
       const auto found =
-          find_lines(registry, *job, input->data, basis, request.file, remarks, [&](std::string_view task) {
+          find_lines(finder, *job, input->data, basis, request.file, remarks, [&](std::string_view task) {
             const auto at = std::ranges::find(ids, task) - ids.begin();
             progress.show(task, static_cast<double>(at) / static_cast<double>(ids.size()));
           });

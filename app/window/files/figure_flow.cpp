@@ -188,7 +188,7 @@ void FigureFlow::write_center_lines(const std::filesystem::path& file, const Cen
     JobControl job(stop);
     CenterLineWish full = wish;
     if (full.request.between.empty()) full.request.between = center_line_ends(data.annotations);
-    const auto found = compute_center_lines(registry, data, full, job);
+    const auto found = CenterLineFinder(registry).find(data, full, job);
     if (!found) return std::unexpected(found.error());
     const double unit = data.map ? data.map->written_size() : 1.0;
     std::vector<TextLine> lines;

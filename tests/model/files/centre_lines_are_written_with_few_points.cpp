@@ -16,7 +16,7 @@ using namespace mes;
 namespace {
 
 /// A band of width 2 about y = height sin x, with walls at both ends.
-CenterLines lines_of_band(double height) {
+SampleData data_of_band(double height) {
   constexpr int kSteps = 400;
   PlaneCurve outline({0.0, -1.0});
   for (const double side : {-1.0, 1.0})
@@ -28,12 +28,12 @@ CenterLines lines_of_band(double height) {
   auto curves = std::make_shared<CurveSet>();
   curves->curves = {outline};
   SampleData data;
-  data.source = std::make_shared<const CurveSource>(CurveSource{.curves = curves});
-  data.positions = {{0.0, 0.0}};
-  JobControl job;
-  auto found = compute_center_lines(builtins(), data, {.is_exact = true}, job);
-  REQUIRE(found.has_value());
-  return *std::move(found);
+  for (const Vec2 corner : outline.points()) data.positions.push_back(corner);
+  data.positions.pop_back();  // the first again
+  for (const double x : {0.0, 20.0})
+    for (double y = -0.95; y < 0.97; y += 0.05) data.positions.push_back({x, height * std::sin(x) + y});
+  data.source = std::make_shared<const CurveSource>(CurveSource{.curves = std::move(curves)});
+  return data;
 }
 
 }  // namespace
@@ -41,9 +41,11 @@ CenterLines lines_of_band(double height) {
 TEST_CASE("a centre line is written with the points that it needs, and their radii") {
   for (const double height : {0.0, 0.1, 0.6}) {
     INFO("height " << height);
-    const CenterLines found = lines_of_band(height);
-    REQUIRE(found.lines.size() == 1);
-    const CenterLine& line = found.lines.front();
+    JobControl job;
+    const auto found = CenterLineFinder(builtins()).find(data_of_band(height), {.is_exact = true}, job);
+    REQUIRE(found.has_value());
+    REQUIRE(found->lines.size() == 1);
+    const CenterLine& line = found->lines.front();
     const TextLine written = text_line_of(line, std::nullopt, 1.0);
     REQUIRE(written.points.size() == written.radii.size());
     CHECK(written.points.front() == line.points.front().place);
@@ -64,4 +66,26 @@ TEST_CASE("a centre line is written with the points that it needs, and their rad
     if (height == 0.0) CHECK(written.points.size() == 2);
     if (height == 0.6) CHECK(written.points.size() > 20);
   }
+}
+
+TEST_CASE("a finder has the lines of one set of samples, whatever it looked at before") {
+  JobControl job;
+  CenterLineFinder finder(builtins());
+  SampleData nothing;
+  nothing.positions = {{1.0, 2.0}, {3.0, 4.0}};
+  for (const double height : {0.6, 0.0, 0.3, 0.6})
+    for (const bool is_exact : {true, false, false}) {
+      CAPTURE(height, is_exact);
+      const SampleData data = data_of_band(height);
+      const auto found = finder.find(data, {.is_exact = is_exact}, job);
+      const auto alone = CenterLineFinder(builtins()).find(data, {.is_exact = is_exact}, job);
+      REQUIRE(found.has_value());
+      REQUIRE(alone.has_value());
+      REQUIRE(found->lines.size() == 1);
+      REQUIRE(alone->lines.size() == 1);
+      CHECK(found->lines.front().axis == alone->lines.front().axis);
+      CHECK(std::ranges::equal(found->lines.front().points, alone->lines.front().points, {},
+                               &CenterLine::Point::place, &CenterLine::Point::place));
+      CHECK_FALSE(finder.find(nothing, {.is_exact = is_exact}, job).has_value());
+    }
 }
