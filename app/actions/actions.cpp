@@ -34,7 +34,7 @@ constexpr auto kFileRows = std::to_array<Row>({
      "Copy a link that opens this session; only in a browser, where a page has an address"},
     {ActionId::keep_degrees, "keep-degrees", "Keep degrees of maps",
      "Use longitude and latitude of maps (GeoJSON, WKT, KML, GPX, shapefiles) as coordinates in degrees instead of "
-     "projecting them to metres; an open map is read again"},
+     "projecting them to metres, and those of web maps as they are; an open map is read again"},
     {ActionId::map_system, "map-system", "Coordinate system...",
      "Read the open map, table or drawing again, with positions in the coordinate system that you name, such as "
      "EPSG:25832: results are in it again"},

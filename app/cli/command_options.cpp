@@ -35,7 +35,8 @@ void add_reading(const Registry& registry, CLI::App& command, ReadingOptions& re
   command.add_flag("--degrees", reading.keeps_degrees,
                    "Of a map (" + ids_of_formats(registry, true) +
                        "): longitude and latitude stay as they are, in\n"
-                       "degrees; default: they are projected to metres about the middle of the map");
+                       "degrees, and so do positions of web maps; default: they are projected to metres about\n"
+                       "the middle of the map");
   command.add_option("--crs", reading.system,
                      "Coordinate system of the positions in a map, a table or a drawing, as EPSG:25832, WKT or\n"
                      "a string of PROJ; default: that which the file names. Results are in it again");

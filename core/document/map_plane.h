@@ -32,7 +32,9 @@ inline constexpr std::array<std::string_view, 3> kMapProjections{"none", "azimut
 /// `MapConversion` (core/io/systems/map_conversion.h) converts between the latter two.
 struct MapPlane {
   MapProjection projection = MapProjection::none;
-  double longitude = 0.0;  ///< origin of the projection, in units of the system, may exceed 180 degrees
+  /// Origin of the projection, in units of the system, or in degrees on WGS 84 if that is a plane itself. May exceed 180
+  /// degrees.
+  double longitude = 0.0;
   double latitude = 0.0;
   /// An authority and its code ("EPSG:25832"), or WKT in one line; empty: longitude and latitude on WGS 84.
   std::string system{};

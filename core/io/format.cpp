@@ -150,13 +150,15 @@ Expected<LoadedFile> in_system(LoadedFile file, const Expected<CoordinateSystem>
   if (system->is_geographic && std::ranges::any_of(file.data.positions, is_outside))
     return bad_input(fmt::format("not every sample is a longitude and latitude, as {} needs", system->title()), name,
                      1, 1);
-  auto chosen = choose_plane(file.data.positions, *system, degrees);
+  // Curves are not projected.
+  auto chosen = choose_plane(file.data.positions, *system, file.data.source ? MapDegrees::kept : degrees);
   if (!chosen) return std::unexpected(chosen.error());
   const auto conversion = MapConversion::of(chosen->plane, MapTarget::own_system);
   if (!conversion) return std::unexpected(conversion.error());
   conversion->to_plane(file.data.positions);
+  const bool is_choice = chosen->is_choice && !file.data.source;
   file.data.map = std::move(chosen->plane);
-  if (system->is_geographic) file.degrees = degrees;
+  if (is_choice) file.degrees = degrees;
   file.warnings.insert(file.warnings.begin(), Error{ErrorCode::bad_input, chosen->remark, name}.message());
   return file;
 }

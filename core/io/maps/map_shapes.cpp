@@ -126,6 +126,7 @@ class MapPlacement {
     constexpr double kMetres = 6371008.8;  // of a radian
     constexpr double kKilometres = 1e-3 * kMetres;
     if (is_unchanged()) return 1.0;
+    if (!system_.is_geographic) return system_.unit_size;
     return system_.unit_size * (is_azimuthal() ? kMetres : kKilometres);
   }
 
@@ -145,11 +146,13 @@ class MapPlacement {
   void add_line(PlaneCurve& curve, Vec2 from, Vec2 to, Vec2 placed_to) {
     constexpr int kDeepest = 12;
     if (splits_) {
-      const double half_turn = system_.half_turn();
-      // Equal numbers in both directions, so that a line back has the same vertices.
-      if (std::abs(to.x - from.x) > half_turn) (from.x < to.x ? from : to).x += 2.0 * half_turn;
-      if (std::abs(from.y) == 0.5 * half_turn) from.x = to.x;
-      if (std::abs(to.y) == 0.5 * half_turn) to.x = from.x;
+      if (system_.is_geographic) {
+        const double half_turn = system_.half_turn();
+        // Equal numbers in both directions, so that a line back has the same vertices.
+        if (std::abs(to.x - from.x) > half_turn) (from.x < to.x ? from : to).x += 2.0 * half_turn;
+        if (std::abs(from.y) == 0.5 * half_turn) from.x = to.x;
+        if (std::abs(to.y) == 0.5 * half_turn) to.x = from.x;
+      }
       split_line(curve, from, to, placed_to, kDeepest);
     }
     curve.line_to(placed_to);
@@ -201,6 +204,7 @@ class MapPlacement {
 
   Vec2 placed(Vec2 p) {
     if (is_unchanged()) return p;
+    if (!system_.is_geographic) return conversion_->to_plane(p);
     const double half_turn = system_.half_turn();
     const bool may_be_on_cut = std::abs(p.x) == half_turn;
     // Equal positions on the Earth have equal images.
@@ -214,6 +218,7 @@ class MapPlacement {
   /// Spares most lines the conversion of their middle. A parallel has the curvature tan(latitude) / radius; a quarter
   /// of the tolerance is allowed here, since this is not exact for other lines.
   bool is_surely_straight(Vec2 from, Vec2 to, double size) const {
+    if (!system_.is_geographic) return false;
     constexpr double kRadius = 6.335e6;
     const double latitude = system_.unit_size * std::max(std::abs(from.y), std::abs(to.y));
     return size * size * std::max(1.0, std::tan(latitude)) < 2.0 * tolerance_ * kRadius;
@@ -527,7 +532,7 @@ Expected<LoadedFile> MapShapes::load(const std::string& name, ReadJob& job) && {
   auto file = load_samples(std::move(placed), name, job, placement.places());
   if (!file) return file;
   file->data.map = chosen->plane;
-  if ((*system)->is_geographic) file->degrees = degrees_;
+  if (chosen->is_choice) file->degrees = degrees_;
   // This is the first warning because the window offers there to change the treatment of degrees.
   file->warnings.insert(file->warnings.begin(), Error{ErrorCode::bad_input, chosen->remark, name}.message());
   remark_on_holes(*file);

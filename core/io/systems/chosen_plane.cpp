@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -30,6 +31,9 @@ double eastern_width(std::span<const Vec2> positions, double half_turn) {
   return box.width();
 }
 
+// From a pole to the equator in metres, on an ellipsoid of the Earth.
+constexpr double kQuarterOfEarth = 10.003e6;
+
 struct ProjectedPlane {
   MapPlane plane{};
   double farthest = 0.0;  ///< distance of a position from the origin, in metres
@@ -54,16 +58,35 @@ Expected<ProjectedPlane> projected_plane(std::vector<Vec2>& positions, const Coo
   plane.latitude = is_polar ? std::copysign(0.5 * half_turn, middle.y) : middle.y;
   const auto conversion = MapConversion::of(plane, MapTarget::own_system);
   if (!conversion) return std::unexpected(conversion.error());
-  // From a pole to the equator, on an ellipsoid of the Earth.
-  constexpr double kQuarter = 10.003e6;
   double farthest = 0.0;
   for (const Vec2 p : positions) farthest = std::max(farthest, length(conversion->to_plane(p)));
-  if ((is_around && !is_polar) || farthest > kQuarter) {
+  if ((is_around && !is_polar) || farthest > kQuarterOfEarth) {
     plane.projection = MapProjection::equirectangular;
     plane.longitude = middle.x;
     plane.latitude = middle.y;
   }
   return ProjectedPlane{std::move(plane), farthest};
+}
+
+/// Projects positions of another plane about the middle of the map; nothing if it does not fit on a hemisphere.
+Expected<std::optional<ProjectedPlane>> better_plane(std::span<const Vec2> positions,
+                                                     const CoordinateSystem& system) {
+  const auto to_wgs84 = MapConversion::of({.system = system.id, .unit = system.unit}, MapTarget::wgs84);
+  if (!to_wgs84) return std::unexpected(to_wgs84.error());
+  const Box2 box = box_around(positions);
+  const Vec2 middle = to_wgs84->from_plane(0.5 * box.low + 0.5 * box.high);
+  ProjectedPlane out{
+      .plane = {
+          .projection = MapProjection::azimuthal, .longitude = middle.x, .latitude = middle.y, .system = system.id}};
+  if (!is_finite(middle) || !is_origin_of_map(middle.x, middle.y, MapPlane{})) return std::nullopt;
+  const auto conversion = MapConversion::of(out.plane, MapTarget::own_system);
+  if (!conversion) return std::unexpected(conversion.error());
+  for (const Vec2 p : positions) {
+    const double from_middle = length(conversion->to_plane(p));
+    if (!(from_middle <= kQuarterOfEarth)) return std::nullopt;
+    out.farthest = std::max(out.farthest, from_middle);
+  }
+  return out;
 }
 
 std::string in_degrees(double value, char positive, char negative) {
@@ -90,16 +113,17 @@ std::string remark_of(const MapPlane& plane, const CoordinateSystem& system, dou
     return fmt::format("coordinates are those of {}, in {}; {} {}", system.title(), plane.plane_unit(),
                        error < kFar ? "lengths are right to" : "lengths differ from those on the Earth by up to",
                        percentage(error));
-  const double size = 180.0 / system.half_turn();
-  const double east = size * std::remainder(plane.longitude, 2.0 * system.half_turn());
+  const double half_turn = system.is_geographic ? system.half_turn() : 180.0;
+  const double size = 180.0 / half_turn;
+  const double east = size * std::remainder(plane.longitude, 2.0 * half_turn);
   const std::string about = in_degrees(east, 'E', 'W') + ", " + in_degrees(size * plane.latitude, 'N', 'S');
   if (plane.projection == MapProjection::equirectangular)
     return fmt::format(
         "degrees{} are projected to kilometres about {}: equirectangular, since the map is wider than a "
         "hemisphere; lengths are right only at that latitude and along meridians",
         of, about);
-  return fmt::format("degrees{} are projected to metres about {}: azimuthal equidistant, lengths are right to {}", of,
-                     about, percentage(error));
+  return fmt::format("{}{} are projected to metres about {}: azimuthal equidistant, lengths are right to {}",
+                     system.is_geographic ? "degrees" : "coordinates", of, about, percentage(error));
 }
 
 }  // namespace
@@ -118,11 +142,22 @@ Expected<ChosenPlane> choose_plane(std::vector<Vec2>& positions, const Coordinat
     const Box2 box = box_around(positions);
     extremes = {box.low, box.high, {box.low.x, box.high.y}, {box.high.x, box.low.y}, 0.5 * (box.low + box.high)};
   }
-  const auto error = largest_scale_error(out.plane, extremes);
+  auto error = largest_scale_error(out.plane, extremes);
   if (!error) return std::unexpected(error.error());
+  out.is_choice = system.is_geographic;
+  if (!system.is_geographic && *error >= kFar) {
+    auto better = better_plane(positions, system);
+    if (!better) return std::unexpected(better.error());
+    out.is_choice = better->has_value();
+    if (*better && degrees == MapDegrees::projected) {
+      out.plane = std::move((*better)->plane);
+      error = largest_scale_error(out.plane, std::vector<Vec2>{{(*better)->farthest, 0.0}});
+      if (!error) return std::unexpected(error.error());
+    }
+  }
   out.remark = remark_of(out.plane, system, *error);
-  if (out.plane.projection == MapProjection::none && !system.is_geographic && !extremes.empty()) {
-    const auto conversion = MapConversion::of(out.plane, MapTarget::wgs84);
+  if (!system.is_geographic && !extremes.empty()) {
+    const auto conversion = MapConversion::of({.system = system.id, .unit = system.unit}, MapTarget::wgs84);
     if (!conversion) return std::unexpected(conversion.error());
     const Vec2 middle = conversion->from_plane(extremes.back());
     if (!system.is_used_near(middle.x, middle.y))

@@ -118,6 +118,8 @@ struct MapConversion::Impl {
   ProjContext context{};
   ProjObject azimuthal{};  // from radians to metres; null for the other projections
   WayToWgs84 to_wgs84{};   // empty if that is not needed
+  // Way from what is projected to the target: the system is projected, or longitude and latitude on WGS 84 are.
+  PJ_DIRECTION direction = PJ_FWD;
 
   /// Kilometres in a unit of longitude and of latitude, for the equirectangular projection.
   Vec2 kilometres() const {
@@ -127,17 +129,23 @@ struct MapConversion::Impl {
     return {north * std::cos(plane.latitude * system.unit_size), north};
   }
 
-  Vec2 system_of(Vec2 p) const {
+  /// The system whose longitudes and latitudes are projected.
+  const CoordinateSystem& projected() const {
+    static const CoordinateSystem wgs84;
+    return system.is_geographic ? system : wgs84;
+  }
+
+  Vec2 projected_of(Vec2 p) const {
     if (plane.projection == MapProjection::none) return p;
     if (plane.projection == MapProjection::equirectangular)
       return Vec2{plane.longitude, plane.latitude} + Vec2{p.x / kilometres().x, p.y / kilometres().y};
-    return (1.0 / system.unit_size) * transformed(*proj, azimuthal.get(), PJ_INV, p);
+    return (1.0 / projected().unit_size) * transformed(*proj, azimuthal.get(), PJ_INV, p);
   }
 
   Vec2 plane_of(Vec2 p) const {
     if (plane.projection == MapProjection::none) return p;
     if (plane.projection == MapProjection::azimuthal)
-      return transformed(*proj, azimuthal.get(), PJ_FWD, system.unit_size * p);
+      return transformed(*proj, azimuthal.get(), PJ_FWD, projected().unit_size * p);
     const Vec2 from = p - Vec2{plane.longitude, plane.latitude};
     return {kilometres().x * from.x, kilometres().y * from.y};
   }
@@ -156,16 +164,20 @@ Expected<MapConversion> MapConversion::of(const MapPlane& plane, MapTarget targe
   if (!system) return std::unexpected(system.error());
   impl->system = *std::move(system);
   const bool is_azimuthal = plane.projection == MapProjection::azimuthal;
-  const bool changes_system = target == MapTarget::wgs84 && !plane.system.empty();
+  const bool is_wgs84_projected = is_azimuthal && !impl->system.is_geographic;
+  const bool changes_system =
+      is_wgs84_projected ? target == MapTarget::own_system : target == MapTarget::wgs84 && !plane.system.empty();
+  if (is_wgs84_projected) impl->direction = PJ_INV;
   if (!is_azimuthal && !changes_system) return MapConversion(std::move(impl));
   const auto proj = proj_library();
   if (!proj) return std::unexpected(proj.error());
   impl->proj = *proj;
   if (is_azimuthal) {
     impl->context = new_context(**proj);
-    const double degrees = impl->system.unit_size * 180.0 / std::numbers::pi;
+    const CoordinateSystem& projected = impl->projected();
+    const double degrees = projected.unit_size * 180.0 / std::numbers::pi;
     const std::string text = fmt::format("+proj=aeqd +lon_0={} +lat_0={} +a={} +b={}", degrees * plane.longitude,
-                                         degrees * plane.latitude, impl->system.major_axis, impl->system.minor_axis);
+                                         degrees * plane.latitude, projected.major_axis, projected.minor_axis);
     impl->azimuthal = ProjObject((*proj)->create(impl->context.get(), text.c_str()), ProjDeleter{*proj});
     if (!impl->azimuthal) return no_conversion(impl->system.title());
   }
@@ -178,12 +190,13 @@ Expected<MapConversion> MapConversion::of(const MapPlane& plane, MapTarget targe
 }
 
 Vec2 MapConversion::from_plane(Vec2 position) const {
-  const Vec2 out = impl_->system_of(position);
-  return impl_->to_wgs84 ? transformed(*impl_->proj, impl_->to_wgs84.get(), PJ_FWD, out) : out;
+  const Vec2 out = impl_->projected_of(position);
+  return impl_->to_wgs84 ? transformed(*impl_->proj, impl_->to_wgs84.get(), impl_->direction, out) : out;
 }
 
 Vec2 MapConversion::to_plane(Vec2 position) const {
-  if (impl_->to_wgs84) position = transformed(*impl_->proj, impl_->to_wgs84.get(), PJ_INV, position);
+  const PJ_DIRECTION back = impl_->direction == PJ_FWD ? PJ_INV : PJ_FWD;
+  if (impl_->to_wgs84) position = transformed(*impl_->proj, impl_->to_wgs84.get(), back, position);
   return impl_->plane_of(position);
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -185,6 +186,32 @@ TEST_CASE("cells have the attributes of their points, in a box and within an out
     REQUIRE(back.size() == 4);
     CHECK(back[3]["properties"]["feature_id"] == "c");
   }
+}
+
+TEST_CASE("a web map has widths in metres, and its lines are in its own system") {
+  const TemporaryFolder folder;
+  const Json expected = made({"centerline", parcels_as(folder, "a.gpkg"), "--each", "--exact"});
+  const std::string web = parcels_as(folder, "web.gpkg", {"-t_srs", "EPSG:3857"});
+  const std::string lines = (folder / "lines.gpkg").string();
+  made({"centerline", web, "--each", "--exact", "-o", lines});
+  CHECK_THAT(told_by_ogr(lines), Catch::Contains("Pseudo-Mercator"));
+  const Json given = features_by_ogr(lines)["features"];
+  REQUIRE(given.size() == 2);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Json& wanted = expected["features"][i];
+    for (const std::string key : {"length", "width_largest"})
+      CHECK(given[i]["properties"][key].get<double>() ==
+            Approx(wanted["properties"][key].get<double>()).epsilon(1e-3));   // a grid has the factor 0.9996
+    constexpr double kMetresOfDegree = 6378137.0 * std::numbers::pi / 180.0;  // along the equator
+    CHECK(given[i]["geometry"]["coordinates"][0][0].get<double>() ==
+          Approx(kMetresOfDegree * wanted["geometry"]["coordinates"][0][0].get<double>()).margin(1.0));
+  }
+  // Whole, and with the coordinates kept.
+  const auto totals = [&](const std::vector<std::string>& more) {
+    return run(with({"centerline", web, "--exact", "-o", (folder / "o.wkt").string()}, more)).err;
+  };
+  CHECK_THAT(totals({}), Catch::Contains("EPSG:3857) are projected to metres about 8.0"));
+  CHECK_THAT(totals({"--degrees"}), Catch::Contains("lengths differ from those on the Earth by up to 56 %"));
 }
 
 TEST_CASE("the rows of a table with WKT keep their columns") {

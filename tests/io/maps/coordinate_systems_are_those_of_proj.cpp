@@ -210,8 +210,9 @@ TEST_CASE("a text that names no horizontal system of the Earth is refused in one
 }
 
 TEST_CASE("the error of lengths is stated, and holds") {
-  const auto chosen_for = [](std::vector<Vec2> positions, const std::string& system) {
-    const auto chosen = choose_plane(positions, system_of(system), MapDegrees::projected);
+  const auto chosen_for = [](std::vector<Vec2> positions, const std::string& system,
+                             MapDegrees degrees = MapDegrees::projected) {
+    const auto chosen = choose_plane(positions, system_of(system), degrees);
     REQUIRE(chosen);
     return *chosen;
   };
@@ -220,7 +221,7 @@ TEST_CASE("the error of lengths is stated, and holds") {
   // A transverse Mercator projection has the factor 0.9996 along its meridian.
   CHECK_THAT(chosen_for({{500'000, 5'800'000}, {500'010, 5'800'010}}, "EPSG:25832").remark,
              Catch::Contains("ETRS89 / UTM zone 32N (EPSG:25832), in m; lengths are right to 0.04 %"));
-  CHECK_THAT(chosen_for({{1'080'000, 6'870'000}}, "EPSG:3857").remark,
+  CHECK_THAT(chosen_for({{1'080'000, 6'870'000}}, "EPSG:3857", MapDegrees::kept).remark,
              Catch::Contains("differ from those on the Earth by up to 64 %"));
   CHECK_THAT(chosen_for({{990'000, 200'000}}, "EPSG:2263").remark, Catch::Contains("in US survey foot;"));
 
@@ -235,6 +236,44 @@ TEST_CASE("the error of lengths is stated, and holds") {
   CHECK(side > kByGeod);
   CHECK(side / kByGeod - 1.0 < *bound);
   CHECK(side / kByGeod - 1.0 > 0.9 * *bound);
+}
+
+TEST_CASE("a web map has the lengths of the Earth, and comes back") {
+  const std::vector<Vec2> degrees{{8.0, 50.0}, {8.02, 50.0}, {8.02, 50.01}, {8.0, 50.015}};
+  const MapConversion of_web = conversion_of({.system = "EPSG:3857", .unit = "metre"}, MapTarget::wgs84);
+  std::vector<Vec2> web = degrees;
+  of_web.to_plane(web);
+  const auto chosen = choose_plane(web, system_of("EPSG:3857"), MapDegrees::projected);
+  REQUIRE(chosen);
+  CHECK(chosen->is_choice);
+  CHECK(
+      chosen->remark ==
+      "coordinates of WGS 84 / Pseudo-Mercator (EPSG:3857) are projected to metres about 8.01 E, 50.01 N: azimuthal "
+      "equidistant, lengths are right to 0.0001 %");
+  CHECK(chosen->plane.system == "EPSG:3857");
+  CHECK(chosen->plane.plane_unit() == "m");
+  const MapConversion to_web = conversion_of(chosen->plane, MapTarget::own_system);
+  const MapConversion to_degrees = conversion_of(chosen->plane, MapTarget::wgs84);
+  const MapConversion expected =
+      conversion_of({MapProjection::azimuthal, chosen->plane.longitude, chosen->plane.latitude}, MapTarget::wgs84);
+  CHECK(to_web.half_turn() == 0.0);
+  CHECK(to_degrees.half_turn() == 180.0);
+  for (std::size_t i = 0; i < web.size(); ++i) {
+    const Vec2 at = to_web.to_plane(web[i]);
+    CHECK(distance(at, expected.to_plane(degrees[i])) < 1e-6);
+    CHECK(distance(at, to_degrees.to_plane(degrees[i])) < 1e-6);
+    CHECK(distance(to_web.from_plane(at), web[i]) < 1e-3);
+    CHECK(metres_between(to_degrees.from_plane(at), degrees[i]) < 1e-3);
+  }
+
+  const auto plane_of = [](std::vector<Vec2> positions, MapDegrees wanted) {
+    const auto of = choose_plane(positions, system_of("EPSG:3857"), wanted);
+    REQUIRE(of);
+    return of->plane.projection;
+  };
+  CHECK(plane_of(web, MapDegrees::kept) == MapProjection::none);
+  CHECK(plane_of({{0, 0}, {1000, 1000}}, MapDegrees::projected) == MapProjection::none);  // lengths are right there
+  CHECK(plane_of({{-2e7, -1e7}, {2e7, 1e7}}, MapDegrees::projected) == MapProjection::none);
 }
 
 TEST_CASE("maps at a pole, across the 180th meridian and of the whole Earth have a plane that fits") {
