@@ -62,7 +62,7 @@ void run_wkb(std::string_view bytes) {
 
 /// Tables of coordinates, as each of the formats and as what they look like. The first byte says which.
 void run_table(std::string_view bytes) {
-  constexpr std::array<std::string_view, 6> kFormats{"", "csv", "tsv", "xyz", "pairs", "geometry-table"};
+  constexpr std::array<std::string_view, 5> kFormats{"", "csv", "tsv", "xyz", "pairs"};
   if (bytes.empty()) return;
   geometry_table_features(bytes.substr(1));
   check_sample_file(bytes.substr(1), "a.txt", kFormats[first_byte(bytes) % kFormats.size()], kCurveWork);
