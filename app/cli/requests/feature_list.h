@@ -44,9 +44,9 @@ struct FeatureList {
 /// The values of `--from` that `read_features` understands.
 std::span<const std::string_view> feature_formats();
 
-/// Reads GeoJSON: a FeatureCollection, a single feature, or several of either in sequence; KML, WKT or a
-/// table of geometries (core/io/maps/map_features.h); or a map that GDAL reads (core/io/maps/gdal.h). `format` is one of `feature_formats`,
-/// or empty: found by the content. `has_system`: their coordinate system is chosen.
+/// Reads GeoJSON: a FeatureCollection, a single feature, or several of either in sequence; KML, WKT or a table of
+/// geometries (core/io/maps/map_features.h); or a map that GDAL reads (core/io/maps/gdal.h). `format` is one of
+/// `feature_formats`, or empty: found by the content. `has_system`: their coordinate system is chosen.
 /// "-" is standard input. A feature of these without an id gets its number as one.
 /// Error: `bad_input` for anything else.
 Expected<FeatureList> read_features(const Registry& registry, const std::string& file, std::string_view format,

@@ -27,9 +27,9 @@ Expected<std::vector<MapFeature>> kml_features(std::string_view bytes, const std
 /// closed. Other text is a feature up to the end of its line, which the reader of WKT refuses.
 std::vector<MapFeature> wkt_features(std::string_view bytes);
 
-/// The records of a table with a column of geometries; the other columns are properties, without a name `field_1`,
-/// `field_2` and so on. A column of numbers has numbers, all others have texts; empty fields are null. Empty if the bytes
-/// are no such table. Never fails: the reader of a geometry does.
+/// The records of a table with a column of geometries. The other columns are properties; columns without a name are
+/// called `field_1`, `field_2` and so on. A column of numbers has numbers, all others have texts; empty fields are null. The
+/// result is empty if the bytes are not such a table. Never fails: faults are left to the reader of the geometry.
 std::vector<MapFeature> geometry_table_features(std::string_view bytes);
 
 /// Whether a text begins as WKT does: with the name of a geometry and what can follow it, or a code.

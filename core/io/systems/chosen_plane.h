@@ -26,7 +26,8 @@ struct ChosenPlane {
 
 /// A system that is not geographic is its own plane, unless its lengths differ from those on the Earth by more than 5 %,
 /// as in web maps: then positions are projected from longitude and latitude on WGS 84, if they are on one hemisphere.
-/// Longitudes and latitudes, and such positions, are kept where that is wanted. Else they are projected to metres, azimuthal equidistant about the middle of the map, or about a pole that the map surrounds;
+/// Longitudes and latitudes, and such positions, are kept where that is wanted. Else they are projected to metres,
+/// azimuthal equidistant about the middle of the map, or about a pole that the map surrounds;
 /// if the map does not fit on a hemisphere, equirectangular in kilometres. A map across the 180th meridian is joined
 /// there: positions west of it move a turn to the east, unless that would tear sides of a map of the world. Error: as for `MapConversion::of`.
 ///

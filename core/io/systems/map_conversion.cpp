@@ -118,7 +118,7 @@ struct MapConversion::Impl {
   ProjContext context{};
   ProjObject azimuthal{};  // from radians to metres; null for the other projections
   WayToWgs84 to_wgs84{};   // empty if that is not needed
-  // Way from what is projected to the target: the system is projected, or longitude and latitude on WGS 84 are.
+  // Direction of `to_wgs84` that leads to the target: the inverse one from WGS 84 to a system with a plane.
   PJ_DIRECTION direction = PJ_FWD;
 
   /// Kilometres in a unit of longitude and of latitude, for the equirectangular projection.

@@ -19,7 +19,7 @@ struct CurveChords::Arc {
   Piece whole;
   std::vector<std::pair<double, Vec2>> cuts{};  // by parameter
   std::vector<Piece> parts{};
-  bool is_shared = false;  // its parts are not its own description of it
+  bool is_shared = false;  // its chords are made anew, from its parts
 };
 
 namespace {
